@@ -1,0 +1,90 @@
+/* controller.h: the whole controller, from a parameter vector to joint torques, at two rates.
+ *
+ *     at a trial's start   twd_controller_start    parameters in (0, 1) -> physical CPG parameters every tick (10 ms)
+ *     twd_controller_tick     CPGs -> gate -> remap -> desired angles every substep        twd_controller_torque
+ *     gravity + PD -> torques
+ *
+ * The tick and the torque call cannot fail, allocate or block; both may be called from an interrupt, and torque may
+ * interrupt tick, since it reads only what the caller passes. A value out of range is saturated and counted. */
+#ifndef TWIDDLE_CONTROLLER_H
+#define TWIDDLE_CONTROLLER_H
+
+#include <twiddle/config.h>
+#include <twiddle/cpg.h>
+#include <twiddle/error.h>
+#include <twiddle/gate.h>
+#include <twiddle/gravity.h>
+#include <twiddle/model.h>
+#include <twiddle/pd.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* One driven joint. */
+struct twd_joint {
+    twd_num lower_rad; /* the angle of output 0 */
+    twd_num upper_rad; /* the angle of output 1; > lower_rad, both in [-pi, pi] */
+    struct twd_pd pd;
+};
+
+/* A finger whose weight is compensated, and which of the controller's joints its moving joints are. */
+struct twd_finger {
+    struct twd_gravity gravity;
+    uint8_t joint[TWD_MAX_CHAIN_JOINTS]; /* [gravity.moving] index into the controller's joints */
+};
+
+/* Where the oscillators' phases start a trial. */
+enum twd_phase_start {
+    TWD_PHASE_START_AT_LAG = 0, /* each at its desired lag (twd_cpg_phases_at_lag) */
+    TWD_PHASE_START_AT_ZERO = 1 /* all at 0; the couplings then pull them to their lags */
+};
+
+/* All that a controller needs to know. Copied by init, except for the const tables behind its pointers. */
+struct twd_controller_config {
+    const struct twd_model *model;
+    bool with_centre;
+    twd_num tick_s;               /* (0, 0.1] s; the paper's is 0.01 */
+    twd_num amplitude_rate_per_s; /* a, 1/s */
+    twd_num centre_rate_per_s;    /* b, 1/s */
+    enum twd_phase_start phase_start;
+    struct twd_parameter_ranges ranges;
+    uint8_t joints; /* as many as the model's topologies drive */
+    struct twd_joint joint[TWD_MAX_JOINTS];
+    uint8_t fingers; /* 0: no gravity compensation */
+    struct twd_finger finger[TWD_MAX_CHAINS];
+};
+
+/* How often a value was saturated since init. Counters stop at their maximum. */
+struct twd_saturations {
+    uint32_t output; /* gated outputs outside [0, 1] */
+    uint32_t torque; /* torques beyond the limit */
+    uint32_t input;  /* joints given an angle or velocity that was not a number, or beyond 1e6; they got zero torque */
+};
+
+/* A running controller. Fields may be read. */
+struct twd_controller {
+    struct twd_controller_config config;
+    struct twd_cpg cpg[TWD_MAX_CPGS];
+    twd_num weight[TWD_MAX_CPGS]; /* the selector's s_k of this trial */
+    struct twd_saturations saturations;
+};
+
+/* Prepare `controller`. Errors name what does not hold together in `config`. */
+enum twd_error twd_controller_init(struct twd_controller *controller, const struct twd_controller_config *config);
+
+/* Start a trial with `count` parameters in [0, 1] (order: model.h). On an error the controller is as it was. */
+enum twd_error twd_controller_start(struct twd_controller *controller, const twd_num *parameter, size_t count);
+
+/* Advance the CPGs by one tick and write the desired angles, [joints], rad. */
+void twd_controller_tick(struct twd_controller *controller, twd_num *desired_angle_rad);
+
+/* Write the torques, [joints], N m, for the given desired and actual angles (rad) and velocities (rad/s), all
+ * [joints]. */
+void twd_controller_torque(struct twd_controller *controller, const twd_num *desired_angle_rad,
+                           const twd_num *angle_rad, const twd_num *velocity_rad_s, twd_num *torque_nm);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

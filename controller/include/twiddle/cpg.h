@@ -1,0 +1,86 @@
+/* cpg.h: a central pattern generator, a network of coupled phase oscillators described by a const table.
+ *
+ * theta_i' = 2 pi nu + sum_j r_j w sin(theta_j - theta_i - phi_ij), w = 1 and phi_ji = -phi_ij
+ * (Ciancio et al. 2011, eqs. 9 and 12); amplitudes and centres: filter.h; one oscillator's output: oscillator.h.
+ * A coupling acts both ways and costs one sine. The phase rate of a tick is extrapolated from this tick and the last
+ * (second-order Adams-Bashforth). A new network is a new `const struct twd_topology`, no code. */
+#ifndef TWIDDLE_CPG_H
+#define TWIDDLE_CPG_H
+
+#include <twiddle/config.h>
+#include <twiddle/error.h>
+#include <twiddle/oscillator.h>
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* One coupling. Its parameter phi is the phase by which `second` leads `first` when the network has settled. */
+struct twd_coupling {
+    uint8_t first;  /* oscillator, from 0 */
+    uint8_t second; /* another oscillator */
+};
+
+/* A network's structure: const, in flash. Pointers refer to arrays as long as the counts say. */
+struct twd_topology {
+    const char *name;                    /* for people, e.g. "cpg-c" */
+    uint8_t oscillators;                 /* 1..TWD_MAX_OSCILLATORS */
+    uint8_t couplings;                   /* 0..TWD_MAX_COUPLINGS */
+    uint8_t joints;                      /* 1..TWD_MAX_JOINTS */
+    bool chooses_frequency;              /* its first parameter is nu, used by all CPGs of the controller */
+    const struct twd_coupling *coupling; /* [couplings] */
+    const uint8_t *joint_oscillator;     /* [joints] which oscillator drives each joint */
+    const twd_num *initial_centre;       /* [oscillators] c at t = 0, of the joint's range, 0..1 */
+};
+
+/* The paper's networks (its Fig. 3), over the joints FEI, AAI, FET, OT in this order. */
+extern const struct twd_topology twd_cpg_c; /* 4 oscillators, one a joint; couplings 1-2, 1-3, 3-4; chooses nu */
+extern const struct twd_topology twd_cpg_m; /* 2 oscillators: FEI and FET, AAI and OT; coupling 1-2 */
+extern const struct twd_topology twd_cpg_s; /* 1 oscillator for all four joints */
+
+/* What drives a network through one trial, in physical units. */
+struct twd_cpg_drive {
+    twd_num frequency_hz;                   /* nu, of every oscillator */
+    twd_num amplitude[TWD_MAX_OSCILLATORS]; /* R, of the joint's range */
+    twd_num centre[TWD_MAX_OSCILLATORS];    /* C, of the joint's range; not read by a network without centre */
+    twd_phase phase_lag[TWD_MAX_COUPLINGS]; /* phi, turns (2^32 = one) */
+};
+
+/* A running network. All fields are private to the module but may be read. */
+struct twd_cpg {
+    const struct twd_topology *topology;
+    bool with_centre;                                      /* output equation: oscillator.h */
+    twd_num tick_s;                                        /* s */
+    struct twd_filter_step amplitude_step;                 /* a's transition */
+    struct twd_filter_step centre_step;                    /* b's transition */
+    twd_phase intrinsic_advance;                           /* turns a tick, from nu */
+    struct twd_cpg_drive drive;                            /* this trial's targets */
+    struct twd_oscillator oscillator[TWD_MAX_OSCILLATORS]; /* state */
+    twd_num last_pull[TWD_MAX_OSCILLATORS];                /* coupling sum of the last tick, rad/s */
+};
+
+/* Make `cpg` a network of `topology`. `amplitude_rate_per_s` and `centre_rate_per_s` are the paper's a and b.
+ * Errors: a topology that does not hold together, a tick or rate outside its range. */
+enum twd_error twd_cpg_init(struct twd_cpg *cpg, const struct twd_topology *topology, bool with_centre, twd_num tick_s,
+                            twd_num amplitude_rate_per_s, twd_num centre_rate_per_s);
+
+/* Start a trial: amplitudes and velocities 0, centres at the topology's, phases as given ([oscillators], turns). */
+void twd_cpg_start(struct twd_cpg *cpg, const struct twd_cpg_drive *drive, const twd_phase *initial_phase);
+
+/* The phases at which every oscillator already has its desired lag: the first at 0, then along the couplings in the
+ * table's order, each placing an oscillator that has none yet (again from the table's start while that places more). An
+ * oscillator that no coupling reaches starts at 0 in its turn. `phase` is [oscillators]. */
+void twd_cpg_phases_at_lag(const struct twd_topology *topology, const twd_phase *phase_lag, twd_phase *phase);
+
+/* Advance by one tick. */
+void twd_cpg_tick(struct twd_cpg *cpg);
+
+/* Output of oscillator `index`, of the joint's range (not saturated). */
+twd_num twd_cpg_output(const struct twd_cpg *cpg, uint8_t index);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

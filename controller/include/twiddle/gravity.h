@@ -1,0 +1,57 @@
+/* gravity.h: the torque that holds a serial finger chain against its weight, g(q) of the PD law (pd.h).
+ *
+ * A chain is a const table of joints, each turning about the z axis of its own frame, and of the link that follows
+ * each. The first joints move; the rest are held at fixed angles and are merged into the last moving link at set-up. */
+#ifndef TWIDDLE_GRAVITY_H
+#define TWIDDLE_GRAVITY_H
+
+#include <twiddle/config.h>
+#include <twiddle/error.h>
+#include <twiddle/number.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* One joint and the link that it carries. */
+struct twd_chain_joint {
+    twd_num rotation[3][3];      /* the joint's frame at angle 0, in the parent link's frame; rows of the matrix */
+    twd_num origin_m[3];         /* its origin in the parent link's frame, m */
+    twd_num mass_kg;             /* the link's mass, kg */
+    twd_num centre_of_mass_m[3]; /* in the link's frame, which is the turned joint frame, m */
+};
+
+/* A finger: const, in flash. */
+struct twd_chain {
+    uint8_t joints;                      /* 1..TWD_MAX_CHAIN_JOINTS */
+    const struct twd_chain_joint *joint; /* [joints], from the palm outwards */
+};
+
+/* One moving joint, ready for the tick. */
+struct twd_gravity_joint {
+    twd_num rotation[3][3]; /* as in the table */
+    twd_num origin_m[3];    /* as in the table, m */
+    twd_num weight_n;       /* of the link and all that is merged into it, N */
+    twd_num moment_nm[3];   /* weight times centre of mass, in the link's frame, N m */
+};
+
+/* A finger whose first `moving` joints move. */
+struct twd_gravity {
+    uint8_t moving;                                       /* 1..joints of the chain */
+    twd_num direction[3];                                 /* unit vector of gravity in the palm frame */
+    struct twd_gravity_joint joint[TWD_MAX_CHAIN_JOINTS]; /* [moving] */
+};
+
+/* Prepare `gravity` for `chain`: its first `moving` joints move, the others stay at `held_angle_rad` ([joints -
+ * moving]). `acceleration_m_s2` is gravity's size (0..20), `direction` its unit vector in the chain's base frame. */
+enum twd_error twd_gravity_init(struct twd_gravity *gravity, const struct twd_chain *chain, uint8_t moving,
+                                const twd_num *held_angle_rad, twd_num acceleration_m_s2, const twd_num direction[3]);
+
+/* Torques in N m, [moving], that hold the finger still at the joint angles `angle_rad` ([moving], each in [-pi,
+ * pi]). */
+void twd_gravity_torque(const struct twd_gravity *gravity, const twd_num *angle_rad, twd_num *torque_nm);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

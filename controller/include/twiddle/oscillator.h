@@ -1,0 +1,31 @@
+/* oscillator.h: one amplitude- and centre-controlled phase oscillator.
+ *
+ * With a centre x = c + r cos(theta) (Ciancio et al. 2011, eq. 15); without it, Ijspeert's original,
+ * x = r (1 + cos(theta)) (eq. 11). No function here allocates, blocks or fails; all may be called from an interrupt. */
+#ifndef TWIDDLE_OSCILLATOR_H
+#define TWIDDLE_OSCILLATOR_H
+
+#include <twiddle/filter.h>
+#include <twiddle/number.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The state of one oscillator. */
+struct twd_oscillator {
+    twd_phase phase;             /* theta, turns, 2^32 = one; wraps by itself */
+    struct twd_filter amplitude; /* r, of the joint's range, 0..0.5 */
+    struct twd_filter centre;    /* c, of the joint's range, 0..1; unused without centre */
+};
+
+/* x = c + r cos(theta) */
+twd_num twd_oscillator_output_with_centre(const struct twd_oscillator *oscillator);
+
+/* x = r (1 + cos(theta)) */
+twd_num twd_oscillator_output_without_centre(const struct twd_oscillator *oscillator);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,95 @@
+#include "checks.h"
+
+enum twd_error twd_check_cpg(const struct twd_topology *topology, twd_num tick_s, twd_num amplitude_rate_per_s,
+                             twd_num centre_rate_per_s)
+{
+    if (topology->oscillators < 1 || topology->oscillators > TWD_MAX_OSCILLATORS) return TWD_ERROR_TOO_MANY_OSCILLATORS;
+    if (topology->couplings > TWD_MAX_COUPLINGS) return TWD_ERROR_TOO_MANY_COUPLINGS;
+    if (topology->joints < 1 || topology->joints > TWD_MAX_JOINTS) return TWD_ERROR_TOO_MANY_JOINTS;
+
+    for (uint8_t k = 0; k < topology->couplings; k++) {
+        const struct twd_coupling coupling = topology->coupling[k];
+        if (coupling.first >= topology->oscillators || coupling.second >= topology->oscillators)
+            return TWD_ERROR_COUPLING;
+        if (coupling.first == coupling.second) return TWD_ERROR_COUPLING;
+    }
+    for (uint8_t j = 0; j < topology->joints; j++)
+        if (topology->joint_oscillator[j] >= topology->oscillators) return TWD_ERROR_JOINT_OSCILLATOR;
+    for (uint8_t i = 0; i < topology->oscillators; i++)
+        if (!twd_within(topology->initial_centre[i], TWD_NUM(0), TWD_NUM(1))) return TWD_ERROR_RANGE;
+
+    if (!(tick_s > TWD_NUM(0)) || tick_s > TWD_NUM(0.1)) return TWD_ERROR_TICK;
+    /* Products of rate and tick are at most 32 (filter.h). */
+    const twd_num fastest_per_s = twd_div(TWD_NUM(32), tick_s);
+    if (!(amplitude_rate_per_s > TWD_NUM(0)) || amplitude_rate_per_s > fastest_per_s) return TWD_ERROR_RANGE;
+    if (!(centre_rate_per_s > TWD_NUM(0)) || centre_rate_per_s > fastest_per_s) return TWD_ERROR_RANGE;
+    return TWD_OK;
+}
+
+static enum twd_error check_model(const struct twd_controller_config *config)
+{
+    const struct twd_model *const model = config->model;
+    if (model->cpgs < 1 || model->cpgs > TWD_MAX_CPGS) return TWD_ERROR_TOO_MANY_CPGS;
+
+    for (uint8_t k = 0; k < model->cpgs; k++) {
+        const enum twd_error error =
+            twd_check_cpg(model->topology[k], config->tick_s, config->amplitude_rate_per_s, config->centre_rate_per_s);
+        if (error != TWD_OK) return error;
+        if (model->topology[k]->joints != config->joints) return TWD_ERROR_TOO_MANY_JOINTS;
+    }
+    return TWD_OK;
+}
+
+static enum twd_error check_ranges(const struct twd_parameter_ranges *ranges)
+{
+    const twd_num fastest_hz = TWD_NUM(5);
+    if (!(ranges->frequency_lower_hz > TWD_NUM(0))) return TWD_ERROR_RANGE;
+    if (!twd_within(ranges->frequency_upper_hz, ranges->frequency_lower_hz, fastest_hz)) return TWD_ERROR_RANGE;
+    if (!(ranges->lone_frequency_hz > TWD_NUM(0)) || ranges->lone_frequency_hz > fastest_hz) return TWD_ERROR_RANGE;
+    if (!(ranges->amplitude_upper > TWD_NUM(0)) || ranges->amplitude_upper > TWD_NUM(0.5)) return TWD_ERROR_RANGE;
+    if (!(ranges->centre_lower >= TWD_NUM(0))) return TWD_ERROR_RANGE;
+    if (!twd_within(ranges->centre_upper, ranges->centre_lower, TWD_NUM(1))) return TWD_ERROR_RANGE;
+    return TWD_OK;
+}
+
+static enum twd_error check_joint(const struct twd_joint *joint)
+{
+    const twd_num half_turn_rad = TWD_NUM(3.14159265358979324);
+    if (!(joint->lower_rad >= -half_turn_rad) || !(joint->upper_rad <= half_turn_rad)) return TWD_ERROR_RANGE;
+    if (!(joint->lower_rad < joint->upper_rad)) return TWD_ERROR_RANGE;
+
+    const struct twd_pd *const pd = &joint->pd;
+    if (!(pd->stiffness_nm_per_rad > TWD_NUM(0)) || !twd_is_usable(pd->stiffness_nm_per_rad)) return TWD_ERROR_RANGE;
+    if (!(pd->damping_nms_per_rad >= TWD_NUM(0)) || !twd_is_usable(pd->damping_nms_per_rad)) return TWD_ERROR_RANGE;
+    if (!(pd->torque_limit_nm > TWD_NUM(0)) || !twd_is_usable(pd->torque_limit_nm)) return TWD_ERROR_RANGE;
+    return TWD_OK;
+}
+
+static enum twd_error check_finger(const struct twd_finger *finger, uint8_t joints)
+{
+    if (finger->gravity.moving < 1 || finger->gravity.moving > TWD_MAX_CHAIN_JOINTS) return TWD_ERROR_CHAIN;
+    for (uint8_t i = 0; i < finger->gravity.moving; i++)
+        if (finger->joint[i] >= joints) return TWD_ERROR_CHAIN;
+    return TWD_OK;
+}
+
+enum twd_error twd_check_config(const struct twd_controller_config *config)
+{
+    if (config->joints < 1 || config->joints > TWD_MAX_JOINTS) return TWD_ERROR_TOO_MANY_JOINTS;
+    enum twd_error error = check_model(config);
+    if (error == TWD_OK) error = check_ranges(&config->ranges);
+    if (error != TWD_OK) return error;
+    if (config->phase_start != TWD_PHASE_START_AT_LAG && config->phase_start != TWD_PHASE_START_AT_ZERO)
+        return TWD_ERROR_RANGE;
+
+    for (uint8_t j = 0; j < config->joints; j++) {
+        error = check_joint(&config->joint[j]);
+        if (error != TWD_OK) return error;
+    }
+    if (config->fingers > TWD_MAX_CHAINS) return TWD_ERROR_CHAIN;
+    for (uint8_t f = 0; f < config->fingers; f++) {
+        error = check_finger(&config->finger[f], config->joints);
+        if (error != TWD_OK) return error;
+    }
+    return TWD_OK;
+}

@@ -1,0 +1,26 @@
+/* checks.h: what the set-up functions require, shared by the modules of this library and not installed. */
+#ifndef TWIDDLE_CHECKS_H
+#define TWIDDLE_CHECKS_H
+
+#include <twiddle/controller.h>
+#include <twiddle/cpg.h>
+#include <twiddle/error.h>
+
+/* No quantity that the library is given is larger, in whatever unit; so no product of two overflows to infinity, and
+ * no difference of such products fails to be a number. */
+#define TWD_LARGEST_SIZE TWD_NUM(1e6)
+
+/* Whether `value` is a number of a size that the library computes with. */
+static inline bool twd_is_usable(twd_num value)
+{
+    return twd_within(value, -TWD_LARGEST_SIZE, TWD_LARGEST_SIZE);
+}
+
+/* Whether a CPG can be made of `topology`, with this tick and these filter rates. */
+enum twd_error twd_check_cpg(const struct twd_topology *topology, twd_num tick_s, twd_num amplitude_rate_per_s,
+                             twd_num centre_rate_per_s);
+
+/* Whether a controller can be made of `config`. */
+enum twd_error twd_check_config(const struct twd_controller_config *config);
+
+#endif

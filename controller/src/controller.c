@@ -1,0 +1,110 @@
+#include <twiddle/controller.h>
+
+#include "checks.h"
+
+static void count_one(uint32_t *counter)
+{
+    if (*counter < UINT32_MAX) (*counter)++;
+}
+
+enum twd_error twd_controller_init(struct twd_controller *controller, const struct twd_controller_config *config)
+{
+    static const struct twd_saturations none = {0, 0, 0};
+    static const twd_num no_preference[TWD_MAX_CPGS] = {TWD_NUM(0)};
+
+    const enum twd_error error = twd_check_config(config);
+    if (error != TWD_OK) return error;
+
+    controller->config = *config;
+    config = &controller->config;
+    for (uint8_t k = 0; k < config->model->cpgs; k++) {
+        /* The check above included this one's. */
+        (void)twd_cpg_init(&controller->cpg[k], config->model->topology[k], config->with_centre, config->tick_s,
+                           config->amplitude_rate_per_s, config->centre_rate_per_s);
+    }
+    twd_gate_normalise(no_preference, config->model->cpgs, controller->weight);
+    controller->saturations = none;
+    return TWD_OK;
+}
+
+enum twd_error twd_controller_start(struct twd_controller *controller, const twd_num *parameter, size_t count)
+{
+    const struct twd_controller_config *const config = &controller->config;
+    struct twd_model_drive drive;
+    const enum twd_error error =
+        twd_model_decode(config->model, config->with_centre, &config->ranges, parameter, count, &drive);
+    if (error != TWD_OK) return error;
+
+    for (uint8_t k = 0; k < config->model->cpgs; k++) {
+        twd_phase phase[TWD_MAX_OSCILLATORS] = {0};
+        if (config->phase_start == TWD_PHASE_START_AT_LAG)
+            twd_cpg_phases_at_lag(config->model->topology[k], drive.cpg[k].phase_lag, phase);
+        twd_cpg_start(&controller->cpg[k], &drive.cpg[k], phase);
+        controller->weight[k] = drive.weight[k];
+    }
+    return TWD_OK;
+}
+
+/* Add one CPG's weighted outputs to the joints' sums. */
+static void mix(const struct twd_cpg *cpg, twd_num weight, twd_num *sum)
+{
+    const struct twd_topology *const topology = cpg->topology;
+    twd_num weighted[TWD_MAX_OSCILLATORS];
+    for (uint8_t i = 0; i < topology->oscillators; i++)
+        weighted[i] = twd_mul(weight, twd_cpg_output(cpg, i));
+    for (uint8_t j = 0; j < topology->joints; j++)
+        sum[j] += weighted[topology->joint_oscillator[j]];
+}
+
+void twd_controller_tick(struct twd_controller *controller, twd_num *desired_angle_rad)
+{
+    const struct twd_controller_config *const config = &controller->config;
+    twd_num sum[TWD_MAX_JOINTS] = {TWD_NUM(0)};
+
+    for (uint8_t k = 0; k < config->model->cpgs; k++) {
+        twd_cpg_tick(&controller->cpg[k]);
+        mix(&controller->cpg[k], controller->weight[k], sum);
+    }
+    for (uint8_t j = 0; j < config->joints; j++) {
+        if (!twd_within(sum[j], TWD_NUM(0), TWD_NUM(1))) count_one(&controller->saturations.output);
+        desired_angle_rad[j] = twd_gate_remap(sum[j], config->joint[j].lower_rad, config->joint[j].upper_rad);
+    }
+}
+
+/* Add the gravity torques of one finger to the joints'. A joint without a usable angle counts as straight, so that it
+ * does not spoil the torques of the finger's other joints. */
+static void add_gravity(const struct twd_finger *finger, const twd_num *angle_rad, twd_num *gravity_nm)
+{
+    twd_num finger_angle_rad[TWD_MAX_CHAIN_JOINTS];
+    twd_num finger_nm[TWD_MAX_CHAIN_JOINTS];
+    for (uint8_t i = 0; i < finger->gravity.moving; i++) {
+        const twd_num angle = angle_rad[finger->joint[i]];
+        finger_angle_rad[i] = twd_is_usable(angle) ? angle : TWD_NUM(0);
+    }
+    twd_gravity_torque(&finger->gravity, finger_angle_rad, finger_nm);
+    for (uint8_t i = 0; i < finger->gravity.moving; i++)
+        gravity_nm[finger->joint[i]] += finger_nm[i];
+}
+
+void twd_controller_torque(struct twd_controller *controller, const twd_num *desired_angle_rad,
+                           const twd_num *angle_rad, const twd_num *velocity_rad_s, twd_num *torque_nm)
+{
+    const struct twd_controller_config *const config = &controller->config;
+    twd_num gravity_nm[TWD_MAX_JOINTS] = {TWD_NUM(0)};
+    for (uint8_t f = 0; f < config->fingers; f++)
+        add_gravity(&config->finger[f], angle_rad, gravity_nm);
+
+    for (uint8_t j = 0; j < config->joints; j++) {
+        if (!twd_is_usable(desired_angle_rad[j]) || !twd_is_usable(angle_rad[j]) || !twd_is_usable(velocity_rad_s[j])) {
+            count_one(&controller->saturations.input);
+            torque_nm[j] = TWD_NUM(0);
+            continue;
+        }
+        const struct twd_pd *const pd = &config->joint[j].pd;
+        const twd_num wanted_nm =
+            twd_pd_torque(pd, desired_angle_rad[j], angle_rad[j], velocity_rad_s[j], gravity_nm[j]);
+        torque_nm[j] = twd_clamp(wanted_nm, -pd->torque_limit_nm, pd->torque_limit_nm);
+        if (!twd_within(wanted_nm, -pd->torque_limit_nm, pd->torque_limit_nm))
+            count_one(&controller->saturations.torque);
+    }
+}

@@ -1,0 +1,118 @@
+#include <twiddle/cpg.h>
+
+#include <twiddle/elementary.h>
+
+#include "checks.h"
+
+#define TURNS_PER_RADIAN TWD_NUM(0.15915494309189535)
+
+enum twd_error twd_cpg_init(struct twd_cpg *cpg, const struct twd_topology *topology, bool with_centre, twd_num tick_s,
+                            twd_num amplitude_rate_per_s, twd_num centre_rate_per_s)
+{
+    static const struct twd_cpg_drive at_rest = {TWD_NUM(0), {TWD_NUM(0)}, {TWD_NUM(0)}, {0}};
+    static const twd_phase zero_phase[TWD_MAX_OSCILLATORS] = {0};
+
+    const enum twd_error error = twd_check_cpg(topology, tick_s, amplitude_rate_per_s, centre_rate_per_s);
+    if (error != TWD_OK) return error;
+
+    cpg->topology = topology;
+    cpg->with_centre = with_centre;
+    cpg->tick_s = tick_s;
+    cpg->amplitude_step = twd_filter_step_make(amplitude_rate_per_s, tick_s);
+    cpg->centre_step = twd_filter_step_make(centre_rate_per_s, tick_s);
+    twd_cpg_start(cpg, &at_rest, zero_phase);
+    return TWD_OK;
+}
+
+void twd_cpg_start(struct twd_cpg *cpg, const struct twd_cpg_drive *drive, const twd_phase *initial_phase)
+{
+    static const struct twd_oscillator unused = {0, {TWD_NUM(0), TWD_NUM(0)}, {TWD_NUM(0), TWD_NUM(0)}};
+
+    cpg->drive = *drive;
+    cpg->intrinsic_advance = twd_phase_from_turns(twd_mul(drive->frequency_hz, cpg->tick_s));
+    for (uint8_t i = 0; i < TWD_MAX_OSCILLATORS; i++) {
+        cpg->oscillator[i] = unused;
+        /* All amplitudes are 0 at the start, and so is every pull: the extrapolation starts from its true value. */
+        cpg->last_pull[i] = TWD_NUM(0);
+    }
+    for (uint8_t i = 0; i < cpg->topology->oscillators; i++) {
+        cpg->oscillator[i].phase = initial_phase[i];
+        cpg->oscillator[i].centre.value = cpg->topology->initial_centre[i];
+    }
+}
+
+/* Place the oscillator at one end of `coupling` by the one at its other end; whether there was one to place. */
+static bool place_by_coupling(struct twd_coupling coupling, twd_phase phase_lag, bool *placed, twd_phase *phase)
+{
+    if (placed[coupling.first] == placed[coupling.second]) return false;
+
+    if (placed[coupling.first]) {
+        phase[coupling.second] = phase[coupling.first] + phase_lag;
+        placed[coupling.second] = true;
+        return true;
+    }
+    phase[coupling.first] = phase[coupling.second] - phase_lag;
+    placed[coupling.first] = true;
+    return true;
+}
+
+void twd_cpg_phases_at_lag(const struct twd_topology *topology, const twd_phase *phase_lag, twd_phase *phase)
+{
+    bool placed[TWD_MAX_OSCILLATORS] = {false};
+
+    for (uint8_t root = 0; root < topology->oscillators; root++) {
+        if (placed[root]) continue;
+        phase[root] = 0;
+        placed[root] = true;
+
+        bool more = true;
+        while (more) {
+            more = false;
+            for (uint8_t k = 0; k < topology->couplings; k++)
+                if (place_by_coupling(topology->coupling[k], phase_lag[k], placed, phase)) more = true;
+        }
+    }
+}
+
+/* The coupling sums of all oscillators, rad/s. */
+static void pulls(const struct twd_cpg *cpg, twd_num *pull)
+{
+    const struct twd_topology *const topology = cpg->topology;
+    for (uint8_t i = 0; i < topology->oscillators; i++)
+        pull[i] = TWD_NUM(0);
+
+    for (uint8_t k = 0; k < topology->couplings; k++) {
+        const struct twd_coupling coupling = topology->coupling[k];
+        const struct twd_oscillator *const first = &cpg->oscillator[coupling.first];
+        const struct twd_oscillator *const second = &cpg->oscillator[coupling.second];
+        /* Since phi_ji = -phi_ij, the sine of the other direction is the negative of this one. */
+        const twd_num sine = twd_sin(second->phase - first->phase - cpg->drive.phase_lag[k]);
+        pull[coupling.first] += twd_mul(second->amplitude.value, sine);
+        pull[coupling.second] -= twd_mul(first->amplitude.value, sine);
+    }
+}
+
+void twd_cpg_tick(struct twd_cpg *cpg)
+{
+    twd_num pull[TWD_MAX_OSCILLATORS];
+    pulls(cpg, pull);
+
+    for (uint8_t i = 0; i < cpg->topology->oscillators; i++) {
+        struct twd_oscillator *const oscillator = &cpg->oscillator[i];
+        /* Adams-Bashforth: (3/2) of this tick's rate less (1/2) of the last one's. */
+        const twd_num rate_rad_s = pull[i] + twd_mul(pull[i] - cpg->last_pull[i], TWD_NUM(0.5));
+        const twd_num pulled_turns = twd_mul(twd_mul(rate_rad_s, TURNS_PER_RADIAN), cpg->tick_s);
+        cpg->last_pull[i] = pull[i];
+
+        oscillator->phase += cpg->intrinsic_advance + twd_phase_from_turns(pulled_turns);
+        twd_filter_advance(&oscillator->amplitude, &cpg->amplitude_step, cpg->drive.amplitude[i]);
+        if (cpg->with_centre) twd_filter_advance(&oscillator->centre, &cpg->centre_step, cpg->drive.centre[i]);
+    }
+}
+
+twd_num twd_cpg_output(const struct twd_cpg *cpg, uint8_t index)
+{
+    const struct twd_oscillator *const oscillator = &cpg->oscillator[index];
+    if (cpg->with_centre) return twd_oscillator_output_with_centre(oscillator);
+    return twd_oscillator_output_without_centre(oscillator);
+}
