@@ -1,0 +1,68 @@
+/* agent.h: the actor-critic learner of one run: act at a trial's start, learn from its reward at its end.
+ *
+ * It knows inputs, parameters in (0, 1) and rewards; neither joints nor objects. The same seed and the same
+ * rewards give the same parameters. */
+#ifndef TWIDDLE_AGENT_H
+#define TWIDDLE_AGENT_H
+
+#include <twiddle/actor.h>
+#include <twiddle/critic.h>
+#include <twiddle/error.h>
+#include <twiddle/random.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How far exploration reaches at each trial: the half-range of the uniform noise falls linearly from `start` to `end` over
+ * the first `decay_fraction` of the training and stays there. */
+struct twd_noise_schedule {
+    twd_num start;          /* half-range at trial 0, [0, 1]; the paper's is 0.5 */
+    twd_num end;            /* half-range after the decay, [0, 1]; the paper's is 0.05 */
+    twd_num decay_fraction; /* (0, 1]; the paper's is 0.6 */
+    uint32_t trials;        /* length of the training, 1..2^31 - 1 */
+};
+
+/* The half-range in force at `trial`, from 0. */
+twd_num twd_noise_half_range(const struct twd_noise_schedule *schedule, uint32_t trial);
+
+/* All that an agent needs to know. Copied by init. */
+struct twd_agent_config {
+    size_t units;         /* parameters of the model (twd_model_parameters) */
+    size_t inputs;        /* units of the input map */
+    twd_num actor_rate;   /* eta_A, [0, 1]; the paper's is 0.1 */
+    twd_num critic_rate;  /* eta_E, [0, 1]; the paper's is 0.1 */
+    twd_num weight_range; /* initial actor weights are uniform in +- this, [0, 1] */
+    twd_num clip;         /* explored values stay in [clip, 1 - clip]; [0, 0.5) */
+    struct twd_noise_schedule noise;
+    uint64_t seed;
+};
+
+/* The learner. Fields may be read. */
+struct twd_agent {
+    struct twd_agent_config config;
+    struct twd_random random;
+    struct twd_actor actor;
+    struct twd_critic critic;
+    twd_num input[TWD_MAX_INPUTS]; /* what the current trial acts on */
+    twd_num noise;                 /* half-range of the current trial */
+    twd_num value;                 /* E of the current trial, before its reward */
+    uint32_t trial;                /* trials learned from so far */
+};
+
+/* Make an untrained agent. Draws: the weights unit by unit. Errors: sizes beyond the arrays, a field outside its range. */
+enum twd_error twd_agent_init(struct twd_agent *agent, const struct twd_agent_config *config);
+
+/* Start a trial on `input`, [inputs]: writes the explored parameters, [units]. */
+void twd_agent_act(struct twd_agent *agent, const twd_num *input, twd_num *parameter);
+
+/* End the trial that act started with its reward; returns the TD error S. A reward that is not finite counts as 0. */
+twd_num twd_agent_learn(struct twd_agent *agent, twd_num reward);
+
+/* The learned policy: the parameters for `input` without noise, [units]; leaves the agent as it was. */
+void twd_agent_policy(const struct twd_agent *agent, const twd_num *input, twd_num *parameter);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

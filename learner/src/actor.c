@@ -1,0 +1,57 @@
+#include <twiddle/actor.h>
+
+#include <twiddle/elementary.h>
+
+enum twd_error twd_actor_init(struct twd_actor *actor, size_t units, size_t inputs, twd_num weight_range,
+                              struct twd_random *random)
+{
+    if (units < 1 || units > TWD_MAX_UNITS) return TWD_ERROR_LEARNER_SIZE;
+    if (inputs < 1 || inputs > TWD_MAX_INPUTS) return TWD_ERROR_LEARNER_SIZE;
+    if (!twd_within(weight_range, TWD_NUM(0), TWD_NUM(1))) return TWD_ERROR_RANGE;
+
+    actor->units = (uint8_t)units;
+    actor->inputs = (uint8_t)inputs;
+    for (size_t j = 0; j < TWD_MAX_UNITS; j++) {
+        for (size_t i = 0; i < TWD_MAX_INPUTS; i++) {
+            const bool used = j < units && i < inputs;
+            actor->weight[j][i] = used ? twd_random_symmetric(random, weight_range) : TWD_NUM(0);
+        }
+        actor->output[j] = TWD_NUM(0);
+        actor->explored[j] = TWD_NUM(0);
+    }
+    return TWD_OK;
+}
+
+twd_num twd_actor_unit(const struct twd_actor *actor, size_t unit, const twd_num *input)
+{
+    twd_num activation = TWD_NUM(0);
+    for (size_t i = 0; i < actor->inputs; i++)
+        activation += twd_mul(actor->weight[unit][i], input[i]);
+    return twd_sigmoid(activation);
+}
+
+void twd_actor_activate(struct twd_actor *actor, const twd_num *input)
+{
+    for (size_t j = 0; j < actor->units; j++)
+        actor->output[j] = twd_actor_unit(actor, j, input);
+}
+
+void twd_actor_explore(struct twd_actor *actor, twd_num half_range, twd_num clip, struct twd_random *random)
+{
+    for (size_t j = 0; j < actor->units; j++) {
+        const twd_num explored = actor->output[j] + twd_random_symmetric(random, half_range);
+        actor->explored[j] = twd_clamp(explored, clip, TWD_NUM(1) - clip);
+    }
+}
+
+void twd_actor_learn(struct twd_actor *actor, const twd_num *input, twd_num rate, twd_num td_error)
+{
+    const twd_num gain = twd_mul(rate, td_error);
+    for (size_t j = 0; j < actor->units; j++) {
+        const twd_num output = actor->output[j];
+        const twd_num slope = twd_mul(output, TWD_NUM(1) - output);
+        const twd_num step = twd_mul(gain, twd_mul(actor->explored[j] - output, slope));
+        for (size_t i = 0; i < actor->inputs; i++)
+            actor->weight[j][i] += twd_mul(step, input[i]);
+    }
+}

@@ -1,0 +1,81 @@
+#include <twiddle/agent.h>
+
+twd_num twd_noise_half_range(const struct twd_noise_schedule *schedule, uint32_t trial)
+{
+    if (trial >= schedule->trials) return schedule->end;
+    const twd_num progress = twd_ratio((int32_t)trial, (int32_t)schedule->trials);
+    if (progress >= schedule->decay_fraction) return schedule->end;
+    const twd_num decayed = twd_div(progress, schedule->decay_fraction);
+    return schedule->start + twd_mul(schedule->end - schedule->start, decayed);
+}
+
+static bool is_fraction(twd_num value)
+{
+    return twd_within(value, TWD_NUM(0), TWD_NUM(1));
+}
+
+static enum twd_error check(const struct twd_agent_config *config)
+{
+    const struct twd_noise_schedule *const noise = &config->noise;
+    if (config->units < 1 || config->units > TWD_MAX_UNITS) return TWD_ERROR_LEARNER_SIZE;
+    if (config->inputs < 1 || config->inputs > TWD_MAX_INPUTS) return TWD_ERROR_LEARNER_SIZE;
+    if (!is_fraction(config->actor_rate) || !is_fraction(config->critic_rate)) return TWD_ERROR_RANGE;
+    if (!is_fraction(config->weight_range)) return TWD_ERROR_RANGE;
+    if (!is_fraction(config->clip) || config->clip >= TWD_NUM(0.5)) return TWD_ERROR_RANGE;
+    if (!is_fraction(noise->start) || !is_fraction(noise->end)) return TWD_ERROR_RANGE;
+    if (!is_fraction(noise->decay_fraction) || noise->decay_fraction <= TWD_NUM(0)) return TWD_ERROR_RANGE;
+    if (noise->trials < 1 || noise->trials > INT32_MAX) return TWD_ERROR_RANGE;
+    return TWD_OK;
+}
+
+enum twd_error twd_agent_init(struct twd_agent *agent, const struct twd_agent_config *config)
+{
+    const enum twd_error error = check(config);
+    if (error != TWD_OK) return error;
+
+    agent->config = *config;
+    twd_random_seed(&agent->random, agent->config.seed);
+    /* These fail on sizes and ranges only, which are checked by now. */
+    (void)twd_actor_init(&agent->actor, agent->config.units, agent->config.inputs, agent->config.weight_range,
+                         &agent->random);
+    (void)twd_critic_init(&agent->critic, agent->config.inputs);
+    for (size_t i = 0; i < TWD_MAX_INPUTS; i++)
+        agent->input[i] = TWD_NUM(0);
+    agent->noise = agent->config.noise.start;
+    agent->value = TWD_NUM(0);
+    agent->trial = 0;
+    return TWD_OK;
+}
+
+void twd_agent_act(struct twd_agent *agent, const twd_num *input, twd_num *parameter)
+{
+    for (size_t i = 0; i < agent->config.inputs; i++)
+        agent->input[i] = input[i];
+    agent->noise = twd_noise_half_range(&agent->config.noise, agent->trial);
+    agent->value = twd_critic_value(&agent->critic, agent->input);
+    twd_actor_activate(&agent->actor, agent->input);
+    twd_actor_explore(&agent->actor, agent->noise, agent->config.clip, &agent->random);
+    for (size_t j = 0; j < agent->config.units; j++)
+        parameter[j] = agent->actor.explored[j];
+}
+
+/* False for infinities and for what is not a number: there the difference is not a number. */
+static bool is_finite(twd_num value)
+{
+    return twd_within(value - value, TWD_NUM(0), TWD_NUM(0));
+}
+
+twd_num twd_agent_learn(struct twd_agent *agent, twd_num reward)
+{
+    const twd_num earned = is_finite(reward) ? reward : TWD_NUM(0);
+    const twd_num td_error = twd_critic_learn(&agent->critic, agent->input, agent->config.critic_rate, earned);
+    twd_actor_learn(&agent->actor, agent->input, agent->config.actor_rate, td_error);
+    agent->trial++;
+    return td_error;
+}
+
+void twd_agent_policy(const struct twd_agent *agent, const twd_num *input, twd_num *parameter)
+{
+    for (size_t j = 0; j < agent->config.units; j++)
+        parameter[j] = twd_actor_unit(&agent->actor, j, input);
+}
