@@ -1,0 +1,74 @@
+#include "hand_tables.hpp"
+
+#include "sim/joints.hpp"
+
+#include <charconv>
+#include <stdexcept>
+
+namespace twiddle::sim
+{
+namespace
+{
+
+constexpr int chain_joints = 4;
+
+// The shortest decimal that reads back as `value`.
+std::string number(double value)
+{
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    return "TWD_NUM(" + std::string(text, end) + ")";
+}
+
+std::string row(const btVector3 &values)
+{
+    return "{" + number(values.x()) + ", " + number(values.y()) + ", " + number(values.z()) + "}";
+}
+
+std::string range_line(const HandModel &hand, Joint joint, const char *index)
+{
+    const HandLink &link = hand.links[hand.link_of_joint(joint_urdf_names[joint])];
+    const std::string name = joint_urdf_names[joint];
+    return std::string("    [") + index + "] = {" + number(link.lower_rad) + ", " + number(link.upper_rad) + "}, /* " +
+           name + " */\n";
+}
+
+// Joint `finger`_0 to _3, each on the link of the one before.
+std::string chain(const HandModel &hand, const std::string &finger)
+{
+    std::string text = "static const struct twd_chain_joint " + finger + "_joint[] = {\n";
+    int parent = -1;
+    for (int joint = 0; joint < chain_joints; ++joint) {
+        const int index = hand.link_of_joint(finger + "_" + std::to_string(joint));
+        const HandLink &link = hand.links[index];
+        if (link.parent != parent)
+            throw std::runtime_error("joint \"" + link.joint + "\" does not follow the one before it");
+        parent = index;
+        const btMatrix3x3 &rotation = link.X_parent_joint.getBasis();
+        text += "    /* " + link.joint + " */\n";
+        text += "    {.rotation = {" + row(rotation[0]) + ",\n                  " + row(rotation[1]) +
+                ",\n                  " + row(rotation[2]) + "},\n";
+        text += "     .origin_m = " + row(link.X_parent_joint.getOrigin()) + ",\n";
+        text += "     .mass_kg = " + number(link.mass_kg) + ",\n";
+        text += "     .centre_of_mass_m = " + row(link.p_link_com_m) + "},\n";
+    }
+    text += "};\n\nconst struct twd_chain twd_icub_" + finger + " = {.joints = " + std::to_string(chain_joints) +
+            ", .joint = " + finger + "_joint};\n";
+    return text;
+}
+
+} // namespace
+
+std::string hand_tables(const HandModel &hand)
+{
+    return "/* Written by twiddle-hand-tables from models/" + hand.name +
+           ".urdf (`make hand-tables`); change it there. */\n"
+           "#include <twiddle/icub_right_hand.h>\n\n"
+           "/* clang-format off */\n\n"
+           "const struct twd_joint_range twd_icub_joint_range[TWD_ICUB_JOINTS] = {\n" +
+           range_line(hand, fei, "TWD_ICUB_FEI") + range_line(hand, aai, "TWD_ICUB_AAI") +
+           range_line(hand, fet, "TWD_ICUB_FET") + range_line(hand, ot, "TWD_ICUB_OT") + "};\n\n" +
+           chain(hand, "index") + "\n" + chain(hand, "thumb");
+}
+
+} // namespace twiddle::sim

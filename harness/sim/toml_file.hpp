@@ -1,0 +1,19 @@
+// toml_file.hpp: TOML read as JSON, the form in which settings travel.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace twiddle::sim
+{
+
+// The file `path`. Throws std::runtime_error with one sentence that names the file and, if it is malformed, the line.
+nlohmann::json read_toml(const std::filesystem::path &path);
+
+// One value as written after `key =` in a file; a bare word counts as a string. Throws std::runtime_error if it is
+// neither.
+nlohmann::json toml_value(const std::string &text);
+
+} // namespace twiddle::sim
