@@ -1,0 +1,117 @@
+#include "controller_setup.hpp"
+
+#include "sim/joints.hpp"
+
+#include <twiddle/icub_right_hand.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace twiddle::experiment
+{
+
+namespace
+{
+
+static_assert(static_cast<std::size_t>(TWD_ICUB_FEI) == sim::fei &&
+                  static_cast<std::size_t>(TWD_ICUB_AAI) == sim::aai &&
+                  static_cast<std::size_t>(TWD_ICUB_FET) == sim::fet &&
+                  static_cast<std::size_t>(TWD_ICUB_OT) == sim::ot,
+              "the harness and the controller share one order of joints");
+
+constexpr double rad_per_deg = 3.14159265358979323846 / 180;
+
+twd_num num(double value)
+{
+    return static_cast<twd_num>(value);
+}
+
+twd_joint joint(std::size_t index, const sim::HandSetup &setup)
+{
+    twd_joint joint{};
+    joint.lower_rad = twd_icub_joint_range[index].lower_rad;
+    joint.upper_rad = twd_icub_joint_range[index].upper_rad;
+    joint.pd.stiffness_nm_per_rad = num(setup.stiffness_nm_per_rad[index]);
+    joint.pd.damping_nms_per_rad = num(setup.damping_nms_per_rad[index]);
+    joint.pd.torque_limit_nm = num(setup.torque_limit_nm);
+    return joint;
+}
+
+// A finger whose first two joints are `first` and `second` and whose others are held at `distal_deg`.
+twd_finger finger(const twd_chain &chain, std::size_t first, std::size_t second, double distal_deg,
+                  const sim::PhysicsSetup &physics)
+{
+    constexpr std::uint8_t moving = 2;
+    twd_finger finger{};
+    finger.joint[0] = static_cast<std::uint8_t>(first);
+    finger.joint[1] = static_cast<std::uint8_t>(second);
+    std::array<twd_num, TWD_MAX_CHAIN_JOINTS> held_rad{};
+    held_rad.fill(num(distal_deg * rad_per_deg));
+    const std::array<twd_num, 3> direction = {num(physics.gravity_direction[0]), num(physics.gravity_direction[1]),
+                                              num(physics.gravity_direction[2])};
+    const twd_error error =
+        twd_gravity_init(&finger.gravity, &chain, moving, held_rad.data(), num(physics.gravity_m_s2), direction.data());
+    if (error != TWD_OK)
+        throw std::runtime_error(std::string("the controller refuses the set-up's gravity or held angles: ") +
+                                 twd_error_text(error));
+    return finger;
+}
+
+} // namespace
+
+twd_controller_config controller_config(const sim::Setup &setup, const twd_model &model, bool with_centre)
+{
+    const sim::OscillatorSetup &oscillators = setup.oscillators;
+    twd_controller_config config{};
+    config.model = &model;
+    config.with_centre = with_centre;
+    config.tick_s = num(control_step_s);
+    config.amplitude_rate_per_s = num(oscillators.amplitude_rate_per_s);
+    config.centre_rate_per_s = num(oscillators.centre_rate_per_s);
+    config.phase_start =
+        oscillators.phase_start == sim::PhaseStart::zero ? TWD_PHASE_START_AT_ZERO : TWD_PHASE_START_AT_LAG;
+    config.ranges.frequency_lower_hz = num(oscillators.frequency_lower_hz);
+    config.ranges.frequency_upper_hz = num(oscillators.frequency_upper_hz);
+    config.ranges.lone_frequency_hz = num(oscillators.lone_frequency_hz);
+    config.ranges.amplitude_upper = num(oscillators.amplitude_upper);
+    config.ranges.centre_lower = num(oscillators.centre_lower);
+    config.ranges.centre_upper = num(oscillators.centre_upper);
+    config.joints = sim::joint_count;
+    for (std::size_t i = 0; i < sim::joint_count; ++i) {
+        config.joint[i] = joint(i, setup.hand);
+    }
+    config.fingers = 2;
+    config.finger[0] = finger(twd_icub_index, sim::aai, sim::fei, setup.hand.index_distal_deg, setup.physics);
+    config.finger[1] = finger(twd_icub_thumb, sim::ot, sim::fet, setup.hand.thumb_distal_deg, setup.physics);
+    return config;
+}
+
+twd_agent_config agent_config(const sim::LearnerSetup &setup, const twd_model &model, bool with_centre,
+                              std::uint32_t trials, std::uint64_t seed)
+{
+    twd_agent_config config{};
+    config.units = twd_model_parameters(&model, with_centre);
+    config.inputs = TWD_INPUTS;
+    config.actor_rate = num(setup.actor_rate);
+    config.critic_rate = num(setup.critic_rate);
+    config.weight_range = num(setup.weight_range);
+    config.clip = num(setup.clip);
+    config.noise.start = num(setup.noise_start);
+    config.noise.end = num(setup.noise_end);
+    config.noise.decay_fraction = num(setup.noise_decay_fraction);
+    config.noise.trials = trials;
+    config.seed = seed;
+    return config;
+}
+
+LearnerInput learner_input(const sim::ObjectSpec &object, const sim::LearnerSetup &setup)
+{
+    twd_shape shape = TWD_SHAPE_SPHERE;
+    if (object.shape == sim::Shape::cylinder) shape = TWD_SHAPE_CYLINDER;
+    if (object.shape == sim::Shape::cube) shape = TWD_SHAPE_CUBE;
+    LearnerInput input{};
+    twd_input_map(shape, num(object.size_m), num(setup.input_squared_norm), input.data());
+    return input;
+}
+
+} // namespace twiddle::experiment

@@ -1,0 +1,62 @@
+// training.hpp: a training run, trial by trial.
+#pragma once
+
+#include "controller_setup.hpp"
+#include "models.hpp"
+#include "record/policy_json.hpp"
+#include "record/run_json.hpp"
+#include "trial.hpp"
+
+#include <twiddle/agent.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace twiddle::experiment
+{
+
+// What `specification` asks for, from the files in `models_dir`. Throws std::runtime_error with one sentence.
+TrialRunner make_trial_runner(const record::RunSpecification &specification, const std::filesystem::path &models_dir);
+
+// One trial of a training run: a row of trials.csv.
+struct TrialRow {
+    std::uint32_t trial = 0; // from 1
+    double rotation_rad = 0;
+    twd_num reward = 0;
+    twd_num value = 0;    // the critic's estimate before the trial
+    twd_num td_error = 0; // reward - value
+    twd_num noise = 0;    // half-range of the exploration noise in force
+    ExpertWeights weight{};
+    std::string fault; // as TrialResult's
+};
+
+class Training
+{
+  public:
+    Training(const record::RunSpecification &specification, const std::filesystem::path &models_dir);
+
+    // Act, simulate, learn.
+    TrialRow run_trial();
+
+    // Act and learn from a rotation that an earlier, interrupted run of the same specification has recorded.
+    TrialRow recall_trial(double rotation_rad);
+
+    // What has been learned so far.
+    record::Policy policy() const;
+
+  private:
+    // Start the coming trial: returns its row, as far as it is known, and leaves its parameters in parameters_.
+    TrialRow act();
+    void learn(TrialRow &row);
+
+    const twd_model *model_;
+    bool with_centre_;
+    TrialRunner runner_;
+    LearnerInput input_{};
+    double reward_per_rad_ = 0;
+    twd_agent agent_{};
+    Parameters parameters_;
+};
+
+} // namespace twiddle::experiment
