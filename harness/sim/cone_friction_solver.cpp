@@ -78,13 +78,14 @@ btScalar ConeFrictionSolver::solve_friction(btMultiBodySolverConstraint &first, 
     const btScalar before1 = first.m_appliedImpulse, before2 = second.m_appliedImpulse;
     const btScalar wanted1 = before1 + first.m_rhs - velocity_change(first) * first.m_jacDiagABInv;
     const btScalar wanted2 = before2 + second.m_rhs - velocity_change(second) * second.m_jacDiagABInv;
-    const btScalar wanted = std::hypot(wanted1, wanted2);
+    const btScalar wanted = std::sqrt(wanted1 * wanted1 + wanted2 * wanted2);
     const btScalar scale = wanted > limit ? limit / wanted : 1;
     first.m_appliedImpulse = scale * wanted1;
     second.m_appliedImpulse = scale * wanted2;
-    apply(first, first.m_appliedImpulse - before1);
-    apply(second, second.m_appliedImpulse - before2);
-    return std::hypot(first.m_appliedImpulse - before1, second.m_appliedImpulse - before2) / first.m_jacDiagABInv;
+    const btScalar change1 = first.m_appliedImpulse - before1, change2 = second.m_appliedImpulse - before2;
+    apply(first, change1);
+    apply(second, change2);
+    return std::sqrt(change1 * change1 + change2 * change2) / first.m_jacDiagABInv;
 }
 
 btScalar ConeFrictionSolver::solveSingleIteration(int iteration, btCollisionObject **, int, btPersistentManifold **,

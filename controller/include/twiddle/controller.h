@@ -1,8 +1,8 @@
 /* controller.h: the whole controller, from a parameter vector to joint torques, at two rates.
  *
- *     at a trial's start   twd_controller_start    parameters in (0, 1) -> physical CPG parameters every tick (10 ms)
- *     twd_controller_tick     CPGs -> gate -> remap -> desired angles every substep        twd_controller_torque
- *     gravity + PD -> torques
+ *     at a trial's start   twd_controller_start    parameters in (0, 1) -> physical CPG parameters
+ *     every tick (10 ms)   twd_controller_tick     CPGs -> gate -> remap -> desired angles
+ *     every substep        twd_controller_torque   gravity + PD -> torques
  *
  * The tick and the torque call cannot fail, allocate or block; both may be called from an interrupt, and torque may
  * interrupt tick, since it reads only what the caller passes. A value out of range is saturated and counted. */

@@ -1,5 +1,4 @@
-/* error.h: what a set-up function can answer. Per-tick functions cannot fail; they saturate and count
- * (controller.h). */
+/* error.h: what a set-up function can answer. Per-tick functions cannot fail; they saturate and count. */
 #ifndef TWIDDLE_ERROR_H
 #define TWIDDLE_ERROR_H
 
