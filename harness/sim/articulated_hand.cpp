@@ -68,9 +68,6 @@ ArticulatedHand::ArticulatedHand(const HandModel &model, const HandSetup &setup,
 
     const int count = static_cast<int>(links_.size());
     body_ = std::make_unique<btMultiBody>(count, 0, btVector3(0, 0, 0), true, false);
-    const btTransform X_palm_hand = X_hand_palm().inverse();
-    body_->setBasePos(X_palm_hand.getOrigin());
-    body_->setWorldToBaseRot(X_palm_hand.getRotation().inverse());
     for (int i = 0; i < count; i++)
         add_link(i);
     body_->finalizeMultiDof();
@@ -138,6 +135,10 @@ void ArticulatedHand::reset()
 {
     body_->clearForcesAndTorques();
     body_->clearVelocities();
+    // Bullet normalises even a fixed base's rotation at every step, so that its last digits wander.
+    const btTransform X_palm_hand = X_hand_palm().inverse();
+    body_->setBasePos(X_palm_hand.getOrigin());
+    body_->setWorldToBaseRot(X_palm_hand.getRotation().inverse());
     for (int i = 0; i < body_->getNumLinks(); i++) {
         if (!links_[i].moves) continue;
         body_->setJointPos(i, links_[i].held_rad);

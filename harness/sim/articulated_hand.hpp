@@ -25,10 +25,10 @@ enum class Finger { index, thumb, other };
 
 // One Bullet link and where it came from. Bullet's link frame is the principal frame at the centre of mass.
 struct ArticulatedLink {
-    int model_link = 0;                // index into HandModel::links
+    int model_link = 0; // index into HandModel::links
     Finger finger = Finger::other;
-    bool moves = false;                // revolute in Bullet; otherwise rigid
-    double held_rad = 0;               // angle of a joint that the controller does not drive
+    bool moves = false;                                        // revolute in Bullet; otherwise rigid
+    double held_rad = 0;                                       // angle of a joint that the controller does not drive
     btTransform X_link_principal = btTransform::getIdentity(); // Bullet's frame in the URDF link's frame
 };
 
@@ -38,13 +38,28 @@ class ArticulatedHand
     // Builds the multibody with the palm at X_palm_hand. Throws std::runtime_error if the model lacks a controlled joint.
     ArticulatedHand(const HandModel &model, const HandSetup &setup, HandHold hold);
 
-    btMultiBody &body() { return *body_; }
-    const btMultiBody &body() const { return *body_; }
-    const HandModel &model() const { return model_; }
+    btMultiBody &body()
+    {
+        return *body_;
+    }
+    const btMultiBody &body() const
+    {
+        return *body_;
+    }
+    const HandModel &model() const
+    {
+        return model_;
+    }
     // [number of Bullet links]
-    const std::vector<ArticulatedLink> &links() const { return links_; }
+    const std::vector<ArticulatedLink> &links() const
+    {
+        return links_;
+    }
     // Bullet link of each controlled joint.
-    const std::array<int, joint_count> &controlled() const { return controlled_; }
+    const std::array<int, joint_count> &controlled() const
+    {
+        return controlled_;
+    }
 
     // Joints to their starting angles, everything at rest; kinematic caches and colliders follow.
     void reset();

@@ -14,7 +14,8 @@ namespace twiddle::sim
 // How far two shapes reach into each other.
 struct Overlap {
     double depth_m = 0;
-    btVector3 direction; // unit, from the object's surface towards the capsule: pushing the capsule this way separates them
+    btVector3
+        direction; // unit, from the object's surface towards the capsule: pushing the capsule this way separates them
 };
 
 // Overlap of a capsule (centre line from `start_m` to `end_m`, palm frame) with an object at `angle_rad`; nothing if they are

@@ -14,16 +14,15 @@ namespace
 // Bullet's first six velocities are the base's, and every base here is fixed.
 constexpr int base_velocities = 6;
 
-// d = 1 / (1/d1 + 1/d2) for both rows keeps Gauss-Seidel stable. A row of effective mass 0 is switched off and stays so.
-void share_effective_mass(btMultiBodySolverConstraint &first, btMultiBodySolverConstraint &second)
+int velocity_count(const btMultiBody *body)
 {
-    const btScalar d1 = first.m_jacDiagABInv, d2 = second.m_jacDiagABInv;
-    if (d1 <= 0 || d2 <= 0) return;
-    const btScalar shared = 1 / (1 / d1 + 1 / d2);
-    first.m_rhs *= shared / d1;
-    second.m_rhs *= shared / d2;
-    first.m_jacDiagABInv = shared;
-    second.m_jacDiagABInv = shared;
+    return base_velocities + body->getNumDofs();
+}
+
+// The velocity that a row asks for, relative to the one before the solve.
+btScalar wanted_change(const btMultiBodySolverConstraint &row)
+{
+    return row.m_jacDiagABInv > 0 ? row.m_rhs / row.m_jacDiagABInv : 0;
 }
 
 } // namespace
@@ -33,14 +32,11 @@ btScalar ConeFrictionSolver::velocity_change(const btMultiBodySolverConstraint &
     btScalar sum = 0;
     const btScalar *jacobian = &m_data.m_jacobians[row.m_jacAindex];
     const btScalar *change = &m_data.m_deltaVelocities[row.m_deltaVelAindex];
-    const int count_a = base_velocities + row.m_multiBodyA->getNumDofs();
-    for (int i = base_velocities; i < count_a; i++)
+    for (int i = base_velocities; i < velocity_count(row.m_multiBodyA); i++)
         sum += jacobian[i] * change[i];
-    if (row.m_multiBodyB == row.m_multiBodyA && row.m_jacBindex == row.m_jacAindex) return sum;
     jacobian = &m_data.m_jacobians[row.m_jacBindex];
     change = &m_data.m_deltaVelocities[row.m_deltaVelBindex];
-    const int count_b = base_velocities + row.m_multiBodyB->getNumDofs();
-    for (int i = base_velocities; i < count_b; i++)
+    for (int i = base_velocities; i < velocity_count(row.m_multiBodyB); i++)
         sum += jacobian[i] * change[i];
     return sum;
 }
@@ -49,14 +45,43 @@ void ConeFrictionSolver::apply(const btMultiBodySolverConstraint &row, btScalar 
 {
     const btScalar *unit = &m_data.m_deltaVelocitiesUnitImpulse[row.m_jacAindex];
     btScalar *change = &m_data.m_deltaVelocities[row.m_deltaVelAindex];
-    const int count_a = base_velocities + row.m_multiBodyA->getNumDofs();
-    for (int i = base_velocities; i < count_a; i++)
+    for (int i = base_velocities; i < velocity_count(row.m_multiBodyA); i++)
         change[i] += unit[i] * impulse;
     unit = &m_data.m_deltaVelocitiesUnitImpulse[row.m_jacBindex];
     change = &m_data.m_deltaVelocities[row.m_deltaVelBindex];
-    const int count_b = base_velocities + row.m_multiBodyB->getNumDofs();
-    for (int i = base_velocities; i < count_b; i++)
+    for (int i = base_velocities; i < velocity_count(row.m_multiBodyB); i++)
         change[i] += unit[i] * impulse;
+}
+
+std::array<btMultiBodySolverConstraint *, 3> ConeFrictionSolver::contact_rows(int index)
+{
+    btMultiBodySolverConstraint &normal = m_multiBodyNormalContactConstraints[index];
+    auto &friction = m_multiBodyFrictionContactConstraints;
+    return {&normal, &friction[normal.m_frictionIndex], &friction[normal.m_frictionIndex + 1]};
+}
+
+void ConeFrictionSolver::prepare_contacts()
+{
+    contacts_.clear();
+    for (int index = 0; index < m_multiBodyNormalContactConstraints.size(); index++) {
+        const auto rows = contact_rows(index);
+        ContactMatrix inverse_mass{};
+        for (int i = 0; i < 3; i++) {
+            for (int j = i; j < 3; j++) {
+                double sum = 0;
+                const btScalar *jacobian = &m_data.m_jacobians[rows[i]->m_jacAindex];
+                const btScalar *unit = &m_data.m_deltaVelocitiesUnitImpulse[rows[j]->m_jacAindex];
+                for (int k = base_velocities; k < velocity_count(rows[i]->m_multiBodyA); k++)
+                    sum += jacobian[k] * unit[k];
+                jacobian = &m_data.m_jacobians[rows[i]->m_jacBindex];
+                unit = &m_data.m_deltaVelocitiesUnitImpulse[rows[j]->m_jacBindex];
+                for (int k = base_velocities; k < velocity_count(rows[i]->m_multiBodyB); k++)
+                    sum += jacobian[k] * unit[k];
+                inverse_mass[i][j] = inverse_mass[j][i] = sum;
+            }
+        }
+        contacts_.emplace_back(inverse_mass, rows[1]->m_friction);
+    }
 }
 
 btScalar ConeFrictionSolver::solve_row(btMultiBodySolverConstraint &row)
@@ -70,44 +95,42 @@ btScalar ConeFrictionSolver::solve_row(btMultiBodySolverConstraint &row)
     return (after - before) / row.m_jacDiagABInv;
 }
 
-btScalar ConeFrictionSolver::solve_friction(btMultiBodySolverConstraint &first, btMultiBodySolverConstraint &second)
+btScalar ConeFrictionSolver::solve_contact(int index)
 {
-    if (first.m_jacDiagABInv <= 0 || second.m_jacDiagABInv <= 0) return 0;
-    const btScalar limit =
-        first.m_friction * m_multiBodyNormalContactConstraints[first.m_frictionIndex].m_appliedImpulse;
-    const btScalar before1 = first.m_appliedImpulse, before2 = second.m_appliedImpulse;
-    const btScalar wanted1 = before1 + first.m_rhs - velocity_change(first) * first.m_jacDiagABInv;
-    const btScalar wanted2 = before2 + second.m_rhs - velocity_change(second) * second.m_jacDiagABInv;
-    const btScalar wanted = std::sqrt(wanted1 * wanted1 + wanted2 * wanted2);
-    const btScalar scale = wanted > limit ? limit / wanted : 1;
-    first.m_appliedImpulse = scale * wanted1;
-    second.m_appliedImpulse = scale * wanted2;
-    const btScalar change1 = first.m_appliedImpulse - before1, change2 = second.m_appliedImpulse - before2;
-    apply(first, change1);
-    apply(second, change2);
-    return std::sqrt(change1 * change1 + change2 * change2) / first.m_jacDiagABInv;
+    const CoulombContact &contact = contacts_[index];
+    const ContactMatrix &w = contact.inverse_mass();
+    const auto rows = contact_rows(index);
+    if (w[0][0] <= 0) return 0;
+    ContactVector before{}, b{};
+    for (int i = 0; i < 3; i++)
+        before[i] = rows[i]->m_appliedImpulse;
+    for (int i = 0; i < 3; i++) {
+        b[i] = velocity_change(*rows[i]) - wanted_change(*rows[i]);
+        for (int j = 0; j < 3; j++)
+            b[i] -= w[i][j] * before[j];
+    }
+    const ContactVector after = contact.solve(b);
+    btScalar largest = 0;
+    for (int i = 0; i < 3; i++) {
+        rows[i]->m_appliedImpulse = after[i];
+        if (after[i] != before[i]) apply(*rows[i], after[i] - before[i]);
+        largest = std::max(largest, std::abs(after[i] - before[i]) * w[i][i]);
+    }
+    return largest;
 }
 
 btScalar ConeFrictionSolver::solveSingleIteration(int iteration, btCollisionObject **, int, btPersistentManifold **,
                                                   int, btTypedConstraint **, int, const btContactSolverInfo &,
                                                   btIDebugDraw *)
 {
-    auto &friction = m_multiBodyFrictionContactConstraints;
-    if (iteration == 0) {
-        for (int i = 0; i + 1 < friction.size(); i += 2)
-            share_effective_mass(friction[i], friction[i + 1]);
-    }
-    btScalar residual = 0;
-    const auto keep_largest = [&residual](btScalar change) { residual = std::max(residual, change * change); };
+    if (iteration == 0) prepare_contacts();
+    btScalar largest = 0;
+    for (int i = 0; i < static_cast<int>(contacts_.size()); i++)
+        largest = std::max(largest, solve_contact(i));
     for (int i = 0; i < m_multiBodyNonContactConstraints.size(); i++) {
-        keep_largest(solve_row(m_multiBodyNonContactConstraints[i]));
+        largest = std::max(largest, std::abs(solve_row(m_multiBodyNonContactConstraints[i])));
     }
-    for (int i = 0; i < m_multiBodyNormalContactConstraints.size(); i++) {
-        keep_largest(solve_row(m_multiBodyNormalContactConstraints[i]));
-    }
-    for (int i = 0; i + 1 < friction.size(); i += 2)
-        keep_largest(solve_friction(friction[i], friction[i + 1]));
-    return residual;
+    return largest * largest;
 }
 
 btScalar ConeFrictionSolver::solveGroupCacheFriendlyFinish(btCollisionObject **bodies, int body_count,

@@ -17,10 +17,10 @@ namespace twiddle::sim
 // The object as it stands in the world: its outer dimensions, rounding included, and its moment of inertia.
 struct ObjectBody {
     Shape shape = Shape::sphere;
-    double radius_m = 0;    // sphere and cylinder
-    double height_m = 0;    // along the hinge
-    double side_m = 0;      // the cube's base
-    double rounding_m = 0;  // radius of the rounded edges, within the outer dimensions; a sphere has none
+    double radius_m = 0;   // sphere and cylinder
+    double height_m = 0;   // along the hinge
+    double side_m = 0;     // the cube's base
+    double rounding_m = 0; // radius of the rounded edges, within the outer dimensions; a sphere has none
     btVector3 p_palm_centre_m;
     double inertia_kg_m2 = 0; // about the hinge
 };
@@ -34,9 +34,18 @@ class HingedObject
     // The hinge runs through the centre along the palm's z axis.
     HingedObject(const ObjectBody &body, const ObjectSetup &setup, double substep_s);
 
-    btMultiBody &body() { return *body_; }
-    btMultiBodyLinkCollider &collider() { return *collider_; }
-    btMultiBodyJointMotor &coulomb_friction() { return *coulomb_friction_; }
+    btMultiBody &body()
+    {
+        return *body_;
+    }
+    btMultiBodyLinkCollider &collider()
+    {
+        return *collider_;
+    }
+    btMultiBodyJointMotor &coulomb_friction()
+    {
+        return *coulomb_friction_;
+    }
 
     // Rotation about the palm's +z, counter-clockwise positive, not wrapped.
     double angle_rad() const;

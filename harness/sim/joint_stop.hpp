@@ -20,7 +20,9 @@ class JointStop : public btMultiBodyConstraint
     int getIslandIdB() const override;
     void createConstraintRows(btMultiBodyConstraintArray &rows, btMultiBodyJacobianData &data,
                               const btContactSolverInfo &info) override;
-    void debugDraw(btIDebugDraw *) override {}
+    void debugDraw(btIDebugDraw *) override
+    {
+    }
 
   private:
     double lower_rad_;

@@ -25,7 +25,7 @@ struct ObjectSetup {
     double hinge_y_m = 0;
     double centre_z_m = 0;
     double mass_kg = 0;
-    double cylinder_height_m = 0;                 // overrides the URDF's
+    double cylinder_height_m = 0;                  // overrides the URDF's
     CubeSize cube_size = CubeSize::whole_diagonal; // reading of the paper's "base diagonal size"
     double rounding_m = 0;                         // radius of the rounded edges of cube and cylinder
     double coulomb_nm = 0;                         // hinge friction, Coulomb
@@ -46,13 +46,13 @@ struct HandSetup {
 
 // [contact] and [physics]: Bullet's world.
 struct PhysicsSetup {
-    double friction = 0;               // Coulomb coefficient between fingers and object
-    bool index_thumb_contact = false;  // whether the two fingers may touch each other
-    double breaking_threshold_m = 0;   // contacts are made from this distance on
-    int substeps = 0;                  // of one 10 ms control step
-    int solver_iterations = 0;         // at most
-    double solver_residual = 0;        // least-squares threshold at which iterations end
-    double error_reduction = 0;        // share of a penetration that is corrected in a substep
+    double friction = 0;              // Coulomb coefficient between fingers and object
+    bool index_thumb_contact = false; // whether the two fingers may touch each other
+    double breaking_threshold_m = 0;  // contacts are made from this distance on
+    int substeps = 0;                 // of one 10 ms control step
+    int solver_iterations = 0;        // at most
+    double solver_residual = 0;       // least-squares threshold at which iterations end
+    double error_reduction = 0;       // share of a penetration that is corrected in a substep
     double gravity_m_s2 = 0;
     std::array<double, 3> gravity_direction{}; // unit vector in the `hand` frame
 };

@@ -37,29 +37,71 @@ int mask_of(Finger finger, bool index_thumb_contact)
     return index_thumb_contact ? group_object | other : group_object;
 }
 
+// All in Bullet that remembers: contact caches, pair caches, bounding-box trees, solver buffers. Their order of entries would
+// let one trial leak into the next, so that a reset builds them anew; bodies and shapes stay.
+struct Stage {
+    Stage()
+        : configuration(small_pools()), dispatcher(&configuration),
+          world(&dispatcher, &broadphase, &solver, &configuration)
+    {
+    }
+
+    // The default pools are for thousands of bodies and would cost more to set up than a trial's first steps.
+    static btDefaultCollisionConstructionInfo small_pools()
+    {
+        btDefaultCollisionConstructionInfo info;
+        info.m_defaultMaxPersistentManifoldPoolSize = 64;
+        info.m_defaultMaxCollisionAlgorithmPoolSize = 64;
+        return info;
+    }
+
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher;
+    btDbvtBroadphase broadphase;
+    ConeFrictionSolver solver;
+    btMultiBodyDynamicsWorld world;
+};
+
 } // namespace
 
 struct World::Impl {
     Impl(const HandModel &model, const ObjectSpec &spec, const Setup &set_up, HandHold hold)
         : setup(set_up), substep_s(control_step_s / set_up.physics.substeps), hand(model, set_up.hand, hold),
-          object_shape(object_body(spec, set_up.object)), object(object_shape, set_up.object, substep_s),
-          dispatcher(&collision_configuration), world(&dispatcher, &broadphase, &solver, &collision_configuration)
+          object_shape(object_body(spec, set_up.object)), object(object_shape, set_up.object, substep_s)
     {
         require_clearance(hand, object_shape, spec.name);
-        configure_solver();
-        world.setGravity(gravity_palm_m_s2());
-        add_bodies();
-        add_joint_constraints();
+        make_joint_constraints();
         reset();
+    }
+
+    void reset()
+    {
+        stage.reset();
+        hand.reset();
+        object.reset();
+        for (auto &constraint : joint_constraints)
+            clear_impulses(*constraint);
+        clear_impulses(object.coulomb_friction());
+        stage = std::make_unique<Stage>();
+        configure_solver();
+        stage->world.setGravity(gravity_palm_m_s2());
+        add_bodies();
+    }
+
+    static void clear_impulses(btMultiBodyConstraint &constraint)
+    {
+        for (int row = 0; row < constraint.getNumRows(); row++)
+            constraint.internalSetAppliedImpulse(row, 0);
     }
 
     void configure_solver()
     {
         // Bullet keeps this threshold in a global. Contacts are made before they touch, so that a fast tip cannot tunnel.
         gContactBreakingThreshold = setup.physics.breaking_threshold_m;
+        btCollisionDispatcher &dispatcher = stage->dispatcher;
         dispatcher.setDispatcherFlags(dispatcher.getDispatcherFlags() &
                                       ~btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD);
-        btContactSolverInfo &info = world.getSolverInfo();
+        btContactSolverInfo &info = stage->world.getSolverInfo();
         info.m_numIterations = setup.physics.solver_iterations;
         info.m_leastSquaresResidualThreshold = setup.physics.solver_residual;
         info.m_erp = setup.physics.error_reduction;
@@ -76,6 +118,7 @@ struct World::Impl {
 
     void add_bodies()
     {
+        btMultiBodyDynamicsWorld &world = stage->world;
         world.addMultiBody(&hand.body());
         world.addMultiBody(&object.body());
         for (int i = 0; i < hand.body().getNumLinks(); i++) {
@@ -89,9 +132,12 @@ struct World::Impl {
         object.collider().setFriction(setup.physics.friction);
         object.collider().setRestitution(0);
         world.addCollisionObject(&object.collider(), group_object, group_index | group_thumb);
+        for (auto &constraint : joint_constraints)
+            world.addMultiBodyConstraint(constraint.get());
+        world.addMultiBodyConstraint(&object.coulomb_friction());
     }
 
-    void add_joint_constraints()
+    void make_joint_constraints()
     {
         const double largest_impulse_nms = setup.hand.torque_limit_nm * substep_s;
         for (int i = 0; i < hand.body().getNumLinks(); i++) {
@@ -107,43 +153,15 @@ struct World::Impl {
             motor->setVelocityTarget(0, 1);
             joint_constraints.push_back(std::move(motor));
         }
-        for (auto &constraint : joint_constraints) {
-            constraint->finalizeMultiDof();
-            world.addMultiBodyConstraint(constraint.get());
-        }
-        world.addMultiBodyConstraint(&object.coulomb_friction());
-    }
-
-    void reset()
-    {
-        hand.reset();
-        object.reset();
-        // Cached contacts, impulses, pools and bounding boxes would otherwise carry over into the next trial.
-        auto *pairs = broadphase.getOverlappingPairCache();
-        for (int i = 0; i < world.getNumCollisionObjects(); i++) {
-            btCollisionObject *collider = world.getCollisionObjectArray()[i];
-            pairs->cleanProxyFromPairs(collider->getBroadphaseHandle(), &dispatcher);
-        }
+        // Bullet would do this at the first step, after an impulse of theirs was asked for.
         for (auto &constraint : joint_constraints)
-            clear_impulses(*constraint);
-        clear_impulses(object.coulomb_friction());
-        solver.reset();
-        solver.setRandSeed(0);
-        broadphase.resetPool(&dispatcher);
-        world.clearForces();
-        world.updateAabbs();
-    }
-
-    static void clear_impulses(btMultiBodyConstraint &constraint)
-    {
-        for (int row = 0; row < constraint.getNumRows(); row++)
-            constraint.internalSetAppliedImpulse(row, 0);
+            constraint->finalizeMultiDof();
     }
 
     void sum_contacts(Observation &seen)
     {
-        for (int m = 0; m < dispatcher.getNumManifolds(); m++) {
-            const btPersistentManifold *manifold = dispatcher.getManifoldByIndexInternal(m);
+        for (int m = 0; m < stage->dispatcher.getNumManifolds(); m++) {
+            const btPersistentManifold *manifold = stage->dispatcher.getManifoldByIndexInternal(m);
             const auto *first = btMultiBodyLinkCollider::upcast(manifold->getBody0());
             const auto *second = btMultiBodyLinkCollider::upcast(manifold->getBody1());
             const auto *link = first->m_multiBody == &hand.body() ? first : second;
@@ -164,12 +182,8 @@ struct World::Impl {
     ArticulatedHand hand;
     const ObjectBody object_shape;
     HingedObject object;
-    btDefaultCollisionConfiguration collision_configuration;
-    btCollisionDispatcher dispatcher;
-    btDbvtBroadphase broadphase;
-    ConeFrictionSolver solver;
-    btMultiBodyDynamicsWorld world;
     std::vector<std::unique_ptr<btMultiBodyConstraint>> joint_constraints;
+    std::unique_ptr<Stage> stage;
 };
 
 World::World(const HandModel &hand, const ObjectSpec &object, const Setup &setup, HandHold hold)
@@ -194,7 +208,7 @@ void World::substep(const JointVector &torque_nm)
         body.addJointTorque(impl_->hand.controlled()[j], std::clamp(torque_nm[j], -limit_nm, limit_nm));
     }
     impl_->object.apply_viscous_friction();
-    impl_->world.stepSimulation(impl_->substep_s, 0);
+    impl_->stage->world.stepSimulation(impl_->substep_s, 0);
 }
 
 JointVector World::angles_rad() const

@@ -21,10 +21,10 @@ struct Observation {
     JointVector velocity_rad_s{};
     btVector3 p_palm_index_tip_m; // centre of the fingertip's end sphere
     btVector3 p_palm_thumb_tip_m;
-    double object_rad = 0;        // in the counted direction, not wrapped
-    double index_contact_n = 0;   // sum of the normal forces of the finger's contacts over the last substep
+    double object_rad = 0;      // in the counted direction, not wrapped
+    double index_contact_n = 0; // sum of the normal forces of the finger's contacts over the last substep
     double thumb_contact_n = 0;
-    double deepest_m = 0;         // deepest penetration of a finger into the object, >= 0
+    double deepest_m = 0;          // deepest penetration of a finger into the object, >= 0
     double finger_clearance_m = 0; // smallest distance between index and thumb
 };
 
