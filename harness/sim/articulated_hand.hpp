@@ -23,13 +23,15 @@ enum class HandHold { welded, full };
 // Which finger a link belongs to; contacts are told apart by it.
 enum class Finger { index, thumb, other };
 
-// One Bullet link and where it came from. Bullet's link frame is the principal frame at the centre of mass.
+// One link of the model as it takes part in the simulation. Links that cannot move against each other share one Bullet link,
+// whose frame is the principal frame at their common centre of mass.
 struct ArticulatedLink {
     int model_link = 0; // index into HandModel::links
     Finger finger = Finger::other;
-    bool moves = false;                                        // revolute in Bullet; otherwise rigid
-    double held_rad = 0;                                       // angle of a joint that the controller does not drive
-    btTransform X_link_principal = btTransform::getIdentity(); // Bullet's frame in the URDF link's frame
+    bool moves = false;                                   // revolute in Bullet; otherwise rigid
+    double held_rad = 0;                                  // angle of a joint that the controller does not drive
+    int body_link = 0;                                    // the Bullet link that carries it
+    btTransform X_body_link = btTransform::getIdentity(); // the model link's frame in the Bullet link's
 };
 
 class ArticulatedHand
@@ -50,7 +52,7 @@ class ArticulatedHand
     {
         return model_;
     }
-    // [number of Bullet links]
+    // Parents before children.
     const std::vector<ArticulatedLink> &links() const
     {
         return links_;
@@ -60,6 +62,17 @@ class ArticulatedHand
     {
         return controlled_;
     }
+    // The finger that a Bullet link belongs to.
+    Finger finger_of(int body_link) const;
+    // The capsule of links()[link].
+    btMultiBodyLinkCollider &collider(int link)
+    {
+        return *colliders_[link];
+    }
+    const Capsule &capsule(int link) const
+    {
+        return model_.links[links_[link].model_link].capsule;
+    }
 
     // Joints to their starting angles, everything at rest; kinematic caches and colliders follow.
     void reset();
@@ -67,23 +80,28 @@ class ArticulatedHand
     // Set the angles of all moving joints at once, in the order of links() (rigid ones skipped), and update caches.
     void set_posture(const std::vector<double> &angle_rad);
 
-    // The URDF link's frame in the palm frame.
-    btTransform X_palm_link(int bullet_link) const;
+    // Bring link frames and colliders to where the multibody is; Bullet itself places only one collider a Bullet link. To be
+    // called after each step of the world.
+    void place_colliders();
+
+    // The frame of links()[link] in the palm frame.
+    btTransform X_palm_link(int link) const;
     // Centre of the last link's distal end sphere.
     btVector3 p_palm_tip_m(Finger finger) const;
     // Centre line of a link's capsule, from the link's origin outwards.
-    std::array<btVector3, 2> p_palm_capsule_m(int bullet_link) const;
-    const Capsule &capsule(int bullet_link) const;
+    std::array<btVector3, 2> p_palm_capsule_m(int link) const;
 
   private:
-    void add_link(int bullet_link);
-    void add_collider(int bullet_link);
-    void update_kinematics();
+    void select_links(const HandSetup &setup, HandHold hold);
+    void build_body(double reflected_inertia_kg_m2);
+    void add_body_link(int body_link, double reflected_inertia_kg_m2);
+    void add_collider(int link);
+    // Index into links_ of the link that `model_link` hangs on; -1 for the palm.
+    int parent_of(int model_link) const;
 
     HandModel model_;
     std::vector<ArticulatedLink> links_;
     std::array<int, joint_count> controlled_{};
-    double reflected_inertia_kg_m2_;
     std::unique_ptr<btMultiBody> body_;
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;
     std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;

@@ -34,6 +34,7 @@ btScalar ConeFrictionSolver::velocity_change(const btMultiBodySolverConstraint &
     const btScalar *change = &m_data.m_deltaVelocities[row.m_deltaVelAindex];
     for (int i = base_velocities; i < velocity_count(row.m_multiBodyA); i++)
         sum += jacobian[i] * change[i];
+    if (!row.m_multiBodyB) return sum; // a joint stop
     jacobian = &m_data.m_jacobians[row.m_jacBindex];
     change = &m_data.m_deltaVelocities[row.m_deltaVelBindex];
     for (int i = base_velocities; i < velocity_count(row.m_multiBodyB); i++)
@@ -47,6 +48,7 @@ void ConeFrictionSolver::apply(const btMultiBodySolverConstraint &row, btScalar 
     btScalar *change = &m_data.m_deltaVelocities[row.m_deltaVelAindex];
     for (int i = base_velocities; i < velocity_count(row.m_multiBodyA); i++)
         change[i] += unit[i] * impulse;
+    if (!row.m_multiBodyB) return;
     unit = &m_data.m_deltaVelocitiesUnitImpulse[row.m_jacBindex];
     change = &m_data.m_deltaVelocities[row.m_deltaVelBindex];
     for (int i = base_velocities; i < velocity_count(row.m_multiBodyB); i++)

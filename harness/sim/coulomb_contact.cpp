@@ -12,7 +12,7 @@ namespace
 // A direction in which neither body can move has no inverse mass; this share of the largest keeps it solvable.
 constexpr double least_share = 1e-9;
 constexpr int most_steps = 60;
-constexpr double tolerance = 1e-13;
+constexpr double tolerance = 1e-10;
 
 } // namespace
 

@@ -25,6 +25,10 @@ class JointStop : public btMultiBodyConstraint
     }
 
   private:
+    // Add the row of one stop (0: lower, 1: upper), which asks for at least this change of the velocity away from it.
+    void add_row(btMultiBodyConstraintArray &rows, btMultiBodyJacobianData &data, int side,
+                 double wanted_change_rad_s) const;
+
     double lower_rad_;
     double upper_rad_;
     double error_reduction_;

@@ -121,12 +121,12 @@ struct World::Impl {
         btMultiBodyDynamicsWorld &world = stage->world;
         world.addMultiBody(&hand.body());
         world.addMultiBody(&object.body());
-        for (int i = 0; i < hand.body().getNumLinks(); i++) {
+        for (int i = 0; i < static_cast<int>(hand.links().size()); i++) {
             const Finger finger = hand.links()[i].finger;
-            auto *collider = hand.body().getLink(i).m_collider;
-            collider->setFriction(1);
-            collider->setRestitution(0);
-            world.addCollisionObject(collider, group_of(finger), mask_of(finger, setup.physics.index_thumb_contact));
+            btMultiBodyLinkCollider &collider = hand.collider(i);
+            collider.setFriction(1);
+            collider.setRestitution(0);
+            world.addCollisionObject(&collider, group_of(finger), mask_of(finger, setup.physics.index_thumb_contact));
         }
         // Bullet multiplies the two friction coefficients of a pair.
         object.collider().setFriction(setup.physics.friction);
@@ -140,15 +140,15 @@ struct World::Impl {
     void make_joint_constraints()
     {
         const double largest_impulse_nms = setup.hand.torque_limit_nm * substep_s;
-        for (int i = 0; i < hand.body().getNumLinks(); i++) {
-            const ArticulatedLink &link = hand.links()[i];
+        for (const ArticulatedLink &link : hand.links()) {
             if (!link.moves) continue;
             const HandLink &model = hand.model().links[link.model_link];
-            joint_constraints.push_back(std::make_unique<JointStop>(hand.body(), i, model.lower_rad, model.upper_rad,
-                                                                    setup.physics.error_reduction));
+            joint_constraints.push_back(std::make_unique<JointStop>(hand.body(), link.body_link, model.lower_rad,
+                                                                    model.upper_rad, setup.physics.error_reduction));
             const auto &driven = hand.controlled();
-            if (std::find(driven.begin(), driven.end(), i) != driven.end()) continue;
-            auto motor = std::make_unique<btMultiBodyJointMotor>(&hand.body(), i, 0.0, largest_impulse_nms);
+            if (std::find(driven.begin(), driven.end(), link.body_link) != driven.end()) continue;
+            auto motor =
+                std::make_unique<btMultiBodyJointMotor>(&hand.body(), link.body_link, 0.0, largest_impulse_nms);
             motor->setPositionTarget(link.held_rad, 0.5);
             motor->setVelocityTarget(0, 1);
             joint_constraints.push_back(std::move(motor));
@@ -172,7 +172,7 @@ struct World::Impl {
                 impulse_ns += manifold->getContactPoint(c).getAppliedImpulse();
                 seen.deepest_m = std::max(seen.deepest_m, -double(manifold->getContactPoint(c).getDistance()));
             }
-            const bool index = hand.links()[link->m_link].finger == Finger::index;
+            const bool index = hand.finger_of(link->m_link) == Finger::index;
             (index ? seen.index_contact_n : seen.thumb_contact_n) += impulse_ns / substep_s;
         }
     }
@@ -209,6 +209,7 @@ void World::substep(const JointVector &torque_nm)
     }
     impl_->object.apply_viscous_friction();
     impl_->stage->world.stepSimulation(impl_->substep_s, 0);
+    impl_->hand.place_colliders();
 }
 
 JointVector World::angles_rad() const
