@@ -56,9 +56,12 @@ first_object = $(call part,1)
 first_model = $(patsubst %-no-centre,%,$(call part,2)) $(if $(findstring -no-centre,$(call part,2)),--no-centre)
 first_seed = $(patsubst seed-%,%,$(call part,3))
 
-first-figures: build ## train the runs of README's first table (JOBS=2 at a time; goes on where it was stopped) and print it
+first-figures: build gnuplot ## train the runs of README's first table (JOBS=2 at a time; goes on where it was stopped) and print it
 	+@$(MAKE) --no-print-directory --jobs=$(JOBS) --output-sync=target $(FIRST_RUNS)
-	scripts/first-table $(FIRST) $(FIRST_TRIALS)
+	scripts/summarise-first $(FIRST)
+	@for format in svg png; do \
+	    gnuplot -d -e "summary='$(FIRST)/summary.csv'; output='$(FIRST)/first_results.$$format'; format='$$format'" \
+	        plots/first_results.gp && echo "$(FIRST)/first_results.$$format"; done
 
 # A finished run says so and ends; one of other settings in the same folder is refused.
 .PHONY: $(FIRST_RUNS)
@@ -108,5 +111,11 @@ lint: lint-format lint-tidy ## check the format, and look for mistakes with clan
 lint-format: deps
 	$(list) '*.c' '*.h' '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run -Werror
 
+LINT := $(BUILD)/lint
+COMMANDS := $(LINT)/compile_commands.json
+own_sources = sed -n 's|^ *"file": "\($(CURDIR)/.*\)",\{0,1\}$$|\1|p' $(COMMANDS) | grep -v '^$(CURDIR)/build/'
+
 lint-tidy: build
-	$(list) '*.c' '*.cpp' | xargs -0 -n 2 -P $$(nproc) clang-tidy -p $(BUILD) --quiet
+	@mkdir -p $(LINT)
+	@awk -f cmake/first_commands.awk $(BUILD)/compile_commands.json >$(COMMANDS)
+	$(own_sources) | xargs -n 1 -P $$(nproc) clang-tidy -p $(LINT) --quiet

@@ -1,0 +1,253 @@
+#include "controller_test.h"
+#include "ring_topology.h"
+
+#include <twiddle/cpg.h>
+
+#define TICK_S TWD_NUM(0.01)
+#define RATE_PER_S TWD_NUM(20)
+#define SETTLED_TICKS 20000 /* 200 s */
+
+static const struct twd_topology *const trees[] = {&twd_cpg_c, &twd_cpg_m, &twd_cpg_s};
+
+static struct twd_cpg make(const struct twd_topology *topology, bool with_centre)
+{
+    struct twd_cpg cpg;
+    assert_int_equal(twd_cpg_init(&cpg, topology, with_centre, TICK_S, RATE_PER_S, RATE_PER_S), TWD_OK);
+    return cpg;
+}
+
+static struct twd_cpg_drive random_drive(uint64_t *random, double amplitude_lower)
+{
+    struct twd_cpg_drive drive;
+    memset(&drive, 0, sizeof drive);
+    drive.frequency_hz = (twd_num)uniform(random, 0.3, 1.2);
+    for (int i = 0; i < TWD_MAX_OSCILLATORS; i++) {
+        drive.amplitude[i] = (twd_num)uniform(random, amplitude_lower, 0.5);
+        drive.centre[i] = (twd_num)uniform(random, 0.0, 1.0);
+    }
+    for (int k = 0; k < TWD_MAX_COUPLINGS; k++)
+        drive.phase_lag[k] = uniform_phase(random);
+    return drive;
+}
+
+static void assert_lags(const struct twd_cpg *cpg, double tolerance_turns)
+{
+    for (int k = 0; k < cpg->topology->couplings; k++) {
+        const struct twd_coupling coupling = cpg->topology->coupling[k];
+        const twd_phase lead = cpg->oscillator[coupling.second].phase - cpg->oscillator[coupling.first].phase;
+        const double error = signed_turns(lead - cpg->drive.phase_lag[k]);
+        if (!(fabs(error) <= tolerance_turns)) {
+            print_error("%s, coupling %d: lag is off by %g turns\n", cpg->topology->name, k, error);
+            fail();
+        }
+    }
+}
+
+static void assert_wiring(const struct twd_topology *topology, const char *expected)
+{
+    char wiring[100];
+    int length = snprintf(wiring, sizeof wiring, "%s:", topology->name);
+    for (int k = 0; k < topology->couplings; k++)
+        length += snprintf(wiring + length, sizeof wiring - (size_t)length, " %d-%d", topology->coupling[k].first + 1,
+                           topology->coupling[k].second + 1);
+    length += snprintf(wiring + length, sizeof wiring - (size_t)length, ", joints");
+    for (int j = 0; j < topology->joints; j++)
+        length += snprintf(wiring + length, sizeof wiring - (size_t)length, " N%d", topology->joint_oscillator[j] + 1);
+    assert_string_equal(wiring, expected);
+}
+
+/* The paper's networks (its Fig. 3): couplings, and the oscillators of FEI, AAI, FET, OT; CPG-C alone chooses nu. */
+static void networks_are_wired_as_in_the_paper(void **state)
+{
+    (void)state;
+    assert_wiring(&twd_cpg_c, "cpg-c: 1-2 1-3 3-4, joints N1 N2 N3 N4");
+    assert_wiring(&twd_cpg_m, "cpg-m: 1-2, joints N1 N2 N1 N2");
+    assert_wiring(&twd_cpg_s, "cpg-s:, joints N1 N1 N1 N1");
+    assert_true(twd_cpg_c.chooses_frequency && !twd_cpg_m.chooses_frequency && !twd_cpg_s.chooses_frequency);
+}
+
+/* From random phases, trees of couplings reach the closed-form limit cycle: r = R, c = C, every lag = phi. */
+static void trees_reach_their_limit_cycle(void **state)
+{
+    (void)state;
+    uint64_t random = 42;
+    print_message("seed 42\n");
+    for (size_t repeat = 0; repeat < 30; repeat++) {
+        struct twd_cpg cpg = make(trees[repeat % 3], true);
+        const struct twd_cpg_drive drive = random_drive(&random, 0.2);
+        twd_phase phase[TWD_MAX_OSCILLATORS];
+        for (int i = 0; i < TWD_MAX_OSCILLATORS; i++)
+            phase[i] = uniform_phase(&random);
+        twd_cpg_start(&cpg, &drive, phase);
+        for (int tick = 0; tick < SETTLED_TICKS; tick++)
+            twd_cpg_tick(&cpg);
+
+        for (int i = 0; i < cpg.topology->oscillators; i++) {
+            assert_close(cpg.oscillator[i].amplitude.value, (double)drive.amplitude[i], BY_NUMBER(1e-12, 1e-6));
+            assert_close(cpg.oscillator[i].centre.value, (double)drive.centre[i], BY_NUMBER(1e-12, 1e-6));
+        }
+        assert_lags(&cpg, BY_NUMBER(1e-6, 1e-6));
+    }
+}
+
+/* Started at their lags, trees feel no pull: all phases advance alike, to the last of the 2^32 parts of a turn. */
+static void trees_started_at_lag_stay_there(void **state)
+{
+    (void)state;
+    uint64_t random = 7;
+    print_message("seed 7\n");
+    for (size_t repeat = 0; repeat < 30; repeat++) {
+        struct twd_cpg cpg = make(trees[repeat % 3], true);
+        const struct twd_cpg_drive drive = random_drive(&random, 0.0);
+        twd_phase phase[TWD_MAX_OSCILLATORS];
+        twd_cpg_phases_at_lag(cpg.topology, drive.phase_lag, phase);
+        assert_int_equal(phase[0], 0);
+        twd_cpg_start(&cpg, &drive, phase);
+        assert_lags(&cpg, 0.0);
+        for (int tick = 0; tick < 300; tick++)
+            twd_cpg_tick(&cpg);
+        assert_lags(&cpg, 0.0);
+        const double turns = 300 * 0.01 * (double)drive.frequency_hz;
+        assert_true(fabs(signed_turns(cpg.oscillator[0].phase - (twd_phase)(fmod(turns, 1.0) * 4294967296.0))) < 1e-6);
+    }
+}
+
+/* Couplings listed against their direction, and oscillators without any, are placed as cpg.h says; the phases are
+ * worked out by hand. */
+static void phases_at_lag_serve_any_table(void **state)
+{
+    (void)state;
+    static const struct twd_coupling coupling[] = {{2, 1}, {2, 0}, {4, 3}};
+    static const uint8_t joint_oscillator[] = {0};
+    static const twd_num centre[6] = {TWD_NUM(0)};
+    static const struct twd_topology topology = {"islands", 6, 3, 1, false, coupling, joint_oscillator, centre};
+    static const twd_phase lag[] = {1000, 300, 50};
+    static const twd_phase expected[] = {0, 700, 0U - 300U, 0, 0U - 50U, 0};
+    twd_phase phase[6];
+    twd_cpg_phases_at_lag(&topology, lag, phase);
+    for (int i = 0; i < 6; i++)
+        assert_int_equal(phase[i], expected[i]);
+}
+
+/* x = c + r cos(theta) and x = r (1 + cos(theta)), against libm on the running network's own state. */
+static void outputs_follow_both_equations(void **state)
+{
+    (void)state;
+    uint64_t random = 3;
+    const struct twd_cpg_drive drive = random_drive(&random, 0.1);
+    static const twd_phase phase[TWD_MAX_OSCILLATORS] = {0, 1U << 30, 1U << 31, 3U << 30};
+    struct twd_cpg with_centre = make(&twd_cpg_c, true);
+    struct twd_cpg without_centre = make(&twd_cpg_c, false);
+    twd_cpg_start(&with_centre, &drive, phase);
+    twd_cpg_start(&without_centre, &drive, phase);
+
+    for (int tick = 0; tick < 300; tick++) {
+        twd_cpg_tick(&with_centre);
+        twd_cpg_tick(&without_centre);
+        for (uint8_t i = 0; i < 4; i++) {
+            const struct twd_oscillator *const a = &with_centre.oscillator[i];
+            const struct twd_oscillator *const b = &without_centre.oscillator[i];
+            const double cos_a = cos(2.0 * PI * signed_turns(a->phase));
+            const double cos_b = cos(2.0 * PI * signed_turns(b->phase));
+            assert_close(twd_cpg_output(&with_centre, i), (double)a->centre.value + (double)a->amplitude.value * cos_a,
+                         BY_NUMBER(1e-8, 3e-7));
+            assert_close(twd_cpg_output(&without_centre, i), (double)b->amplitude.value * (1.0 + cos_b),
+                         BY_NUMBER(1e-8, 3e-7));
+        }
+    }
+}
+
+/* A ring with lags of 1/6 turn, disturbed by up to 1/10 turn an oscillator, settles to the travelling wave: each phase
+ * 1/6 turn ahead of the last, which is the closed-form equilibrium. */
+static void ring_settles_to_a_travelling_wave(void **state)
+{
+    (void)state;
+    uint64_t random = 11;
+    print_message("seed 11\n");
+    for (int repeat = 0; repeat < 10; repeat++) {
+        struct twd_cpg cpg = make(&ring, true);
+        struct twd_cpg_drive drive = random_drive(&random, 0.2);
+        for (int k = 0; k < RING_OSCILLATORS; k++)
+            drive.phase_lag[k] = UINT32_C(715827883);
+        twd_phase phase[TWD_MAX_OSCILLATORS];
+        twd_cpg_phases_at_lag(&ring, drive.phase_lag, phase);
+        for (int i = 0; i < RING_OSCILLATORS; i++)
+            phase[i] += (twd_phase)(int32_t)(uniform(&random, -0.1, 0.1) * 4294967296.0);
+        twd_cpg_start(&cpg, &drive, phase);
+        for (int tick = 0; tick < SETTLED_TICKS; tick++)
+            twd_cpg_tick(&cpg);
+        assert_lags(&cpg, 1e-6);
+    }
+}
+
+/* A topology that does not hold together is refused with its own error, and the network stays as it was. */
+static void init_rejects_what_does_not_hold_together(void **state)
+{
+    (void)state;
+    static const struct twd_coupling missing[] = {{0, 6}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}};
+    static const struct twd_coupling self[] = {{1, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}};
+    static const uint8_t no_oscillator[] = {0, 1, 2, 3, 4, 6};
+    static const twd_num beyond[] = {TWD_NUM(0), TWD_NUM(1.5), TWD_NUM(0), TWD_NUM(0), TWD_NUM(0), TWD_NUM(0)};
+
+    struct twd_topology none = ring, crowd = ring, tangle = ring, stray = ring, loop = ring, jointless = ring,
+                        joints = ring, undriven = ring, off_centre = ring;
+    none.oscillators = 0;
+    crowd.oscillators = TWD_MAX_OSCILLATORS + 1;
+    tangle.couplings = TWD_MAX_COUPLINGS + 1;
+    stray.coupling = missing;
+    loop.coupling = self;
+    jointless.joints = 0;
+    joints.joints = TWD_MAX_JOINTS + 1;
+    undriven.joint_oscillator = no_oscillator;
+    off_centre.initial_centre = beyond;
+
+    const struct {
+        const struct twd_topology *topology;
+        double tick_s;
+        double rate_per_s;
+        enum twd_error error;
+    } cases[] = {
+        {&none, 0.01, 20.0, TWD_ERROR_TOO_MANY_OSCILLATORS},
+        {&crowd, 0.01, 20.0, TWD_ERROR_TOO_MANY_OSCILLATORS},
+        {&tangle, 0.01, 20.0, TWD_ERROR_TOO_MANY_COUPLINGS},
+        {&stray, 0.01, 20.0, TWD_ERROR_COUPLING},
+        {&loop, 0.01, 20.0, TWD_ERROR_COUPLING},
+        {&jointless, 0.01, 20.0, TWD_ERROR_TOO_MANY_JOINTS},
+        {&joints, 0.01, 20.0, TWD_ERROR_TOO_MANY_JOINTS},
+        {&undriven, 0.01, 20.0, TWD_ERROR_JOINT_OSCILLATOR},
+        {&off_centre, 0.01, 20.0, TWD_ERROR_RANGE},
+        {&ring, 0.0, 20.0, TWD_ERROR_TICK},
+        {&ring, 0.11, 20.0, TWD_ERROR_TICK},
+        {&ring, -0.01, 20.0, TWD_ERROR_TICK},
+        {&ring, (double)NAN, 20.0, TWD_ERROR_TICK},
+        {&ring, 0.01, 0.0, TWD_ERROR_RANGE},
+        {&ring, 0.01, 3300.0, TWD_ERROR_RANGE},
+        {&ring, 0.01, (double)NAN, TWD_ERROR_RANGE},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        struct twd_cpg cpg;
+        struct twd_cpg before;
+        memset(&cpg, 0x5A, sizeof cpg);
+        memcpy(&before, &cpg, sizeof cpg);
+        const twd_num rate = (twd_num)cases[k].rate_per_s;
+        const twd_num tick_s = (twd_num)cases[k].tick_s;
+        assert_int_equal(twd_cpg_init(&cpg, cases[k].topology, true, tick_s, rate, RATE_PER_S), cases[k].error);
+        if (tick_s > TWD_NUM(0))
+            assert_int_equal(twd_cpg_init(&cpg, cases[k].topology, true, tick_s, RATE_PER_S, rate), cases[k].error);
+        assert_memory_equal(&cpg, &before, sizeof cpg);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(networks_are_wired_as_in_the_paper),
+        cmocka_unit_test(trees_reach_their_limit_cycle),
+        cmocka_unit_test(trees_started_at_lag_stay_there),
+        cmocka_unit_test(phases_at_lag_serve_any_table),
+        cmocka_unit_test(outputs_follow_both_equations),
+        cmocka_unit_test(ring_settles_to_a_travelling_wave),
+        cmocka_unit_test(init_rejects_what_does_not_hold_together),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
