@@ -61,7 +61,7 @@ first-figures: build gnuplot ## train the runs of README's first table (JOBS=2 a
 	scripts/summarise-first $(FIRST)
 	@for format in svg png; do \
 	    gnuplot -d -e "summary='$(FIRST)/summary.csv'; output='$(FIRST)/first_results.$$format'; format='$$format'" \
-	        plots/first_results.gp && echo "$(FIRST)/first_results.$$format"; done
+	        plots/first_results.gp || exit 1; echo "$(FIRST)/first_results.$$format"; done
 
 # A finished run says so and ends; one of other settings in the same folder is refused.
 .PHONY: $(FIRST_RUNS)
