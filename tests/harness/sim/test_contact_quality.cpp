@@ -20,15 +20,10 @@ namespace
 constexpr unsigned seed = 60;
 constexpr int sets = 60;
 
-TrialRunner make_runner(const std::string &object, int substeps)
+TrialRunner make_runner(const std::string &object, int substeps, sim::HandHold hold = sim::HandHold::welded)
 {
     const sim::Setup setup = sim::default_setup({{"physics.substeps", std::to_string(substeps)}});
-    return {sim::icub_hand(),
-            sim::read_object(TWIDDLE_MODELS, object),
-            setup,
-            sim::HandHold::welded,
-            find_model("cpg-c"),
-            true};
+    return {sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, object), setup, hold, find_model("cpg-c"), true};
 }
 
 struct Outcome {
@@ -137,6 +132,30 @@ TEST_P(ContactQuality, pressed_object_does_not_creep)
         EXPECT_LT(creep_rad, 0.005);
     }
     EXPECT_GE(pressing, 3) << "too few of the cases press the object";
+}
+
+// With all 19 joints movable and the held ones on motors, the small sphere turns as with rigid ones. Expected: the welded hand's
+// rotations.
+TEST(HandHolds, full_hand_turns_the_object_as_the_welded_one_does)
+{
+    constexpr int full_sets = 20;
+    const int substeps = sim::default_setup().physics.substeps;
+    TrialRunner welded = make_runner("small-sphere", substeps);
+    TrialRunner full = make_runner("small-sphere", substeps, sim::HandHold::full);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> uniform(0.001, 0.999);
+    std::vector<double> welded_rad, full_rad;
+    for (int i = 0; i < full_sets; i++) {
+        Parameters parameters(12);
+        for (twd_num &p : parameters)
+            p = static_cast<twd_num>(uniform(random));
+        welded_rad.push_back(welded.run(parameters).rotation_rad);
+        full_rad.push_back(full.run(parameters).rotation_rad);
+    }
+    const double r = correlation(welded_rad, full_rad);
+    std::printf("%d parameter sets, seed %u: welded mean %.3f rad, full mean %.3f rad, r = %.4f\n", full_sets, seed,
+                mean(welded_rad), mean(full_rad), r);
+    EXPECT_GE(r, 0.99);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ContactQuality, testing::Values("small-sphere", "medium-cylinder", "large-cube"),
