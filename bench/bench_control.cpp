@@ -44,8 +44,9 @@ double peak_resident_mb()
 // Trials of CPG-C with random parameters: controller, torques at every substep, and the Bullet world.
 void full_loop(benchmark::State &state, const char *object)
 {
-    TrialRunner runner(sim::read_hand_model(models_dir / "icub_right_hand.urdf"), sim::read_object(models_dir, object),
-                       sim::load_setup(models_dir, "mid-a"), sim::HandHold::welded, twd_model_c, true);
+    TrialRunner runner(sim::Stepper::reference, sim::read_hand_model(models_dir / "icub_right_hand.urdf"),
+                       sim::read_object(models_dir, object), sim::load_setup(models_dir, "mid-a"),
+                       sim::HandHold::welded, twd_model_c, true);
     const auto sets = random_parameters(64, twd_model_parameters(&twd_model_c, true));
     std::size_t next = 0;
     while (state.KeepRunning())

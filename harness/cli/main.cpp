@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "errors.hpp"
 #include "record/versions.hpp"
+#include "sim/world.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -51,6 +52,8 @@ int main(int argc, char **argv)
 {
     try {
         return run(argc, argv);
+    } catch (const twiddle::sim::NotCovered &error) {
+        return complain(error.what(), exit_wrong_use);
     } catch (const UsageError &error) {
         return complain(error.what(), exit_wrong_use);
     } catch (const std::exception &error) {

@@ -23,7 +23,7 @@ struct Choice {
     std::vector<std::string> later;
 };
 
-const Choice stepper_choice = {"--stepper", {"reference"}, {"fast"}};
+const Choice stepper_choice = {"--stepper", {"fast", "reference"}, {}};
 const Choice hand_choice = {"--hand", {"welded", "full"}, {}};
 const Choice number_choice = {"--number", {"float", "double"}, {"fixed"}};
 const Choice target_choice = {"--target", {"host"}, {"microbit", "mps2-an386", "virt"}};

@@ -19,7 +19,7 @@ struct RunOptions {
     std::string model;
     bool no_centre = false;
     std::string setup = "mid-a";
-    std::string stepper = "reference";
+    std::string stepper = "fast";
     std::string hand = "welded";
     std::string number;
     std::string target = "host";

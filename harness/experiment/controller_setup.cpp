@@ -26,14 +26,26 @@ twd_num num(double value)
     return static_cast<twd_num>(value);
 }
 
-twd_joint joint(std::size_t index, const sim::HandSetup &setup)
+// Throws std::runtime_error with `what` and the library's sentence if `error` is one.
+void require(twd_error error, const std::string &what)
 {
+    if (error != TWD_OK) throw std::runtime_error("the controller refuses " + what + ": " + twd_error_text(error));
+}
+
+twd_joint joint(std::size_t index, const sim::Setup &setup)
+{
+    const sim::HandSetup &hand = setup.hand;
     twd_joint joint{};
     joint.lower_rad = twd_icub_joint_range[index].lower_rad;
     joint.upper_rad = twd_icub_joint_range[index].upper_rad;
-    joint.pd.stiffness_nm_per_rad = num(setup.stiffness_nm_per_rad[index]);
-    joint.pd.damping_nms_per_rad = num(setup.damping_nms_per_rad[index]);
-    joint.pd.torque_limit_nm = num(setup.torque_limit_nm);
+    joint.pd.stiffness_nm_per_rad = num(hand.stiffness_nm_per_rad[index]);
+    joint.pd.damping_nms_per_rad = num(hand.damping_nms_per_rad[index]);
+    joint.pd.torque_limit_nm = num(hand.torque_limit_nm);
+    if (hand.pd_law == sim::PdLaw::stable) {
+        const double period_s = control_step_s / setup.physics.substeps;
+        require(twd_pd_stable(&joint.pd, num(hand.pd_inertia_kg_m2[index]), num(period_s), &joint.pd),
+                "the set-up's gains or inertias");
+    }
     return joint;
 }
 
@@ -49,11 +61,9 @@ twd_finger finger(const twd_chain &chain, std::size_t first, std::size_t second,
     held_rad.fill(num(distal_deg * rad_per_deg));
     const std::array<twd_num, 3> direction = {num(physics.gravity_direction[0]), num(physics.gravity_direction[1]),
                                               num(physics.gravity_direction[2])};
-    const twd_error error =
-        twd_gravity_init(&finger.gravity, &chain, moving, held_rad.data(), num(physics.gravity_m_s2), direction.data());
-    if (error != TWD_OK)
-        throw std::runtime_error(std::string("the controller refuses the set-up's gravity or held angles: ") +
-                                 twd_error_text(error));
+    require(
+        twd_gravity_init(&finger.gravity, &chain, moving, held_rad.data(), num(physics.gravity_m_s2), direction.data()),
+        "the set-up's gravity or held angles");
     return finger;
 }
 
@@ -78,7 +88,7 @@ twd_controller_config controller_config(const sim::Setup &setup, const twd_model
     config.ranges.centre_upper = num(oscillators.centre_upper);
     config.joints = sim::joint_count;
     for (std::size_t i = 0; i < sim::joint_count; ++i) {
-        config.joint[i] = joint(i, setup.hand);
+        config.joint[i] = joint(i, setup);
     }
     config.fingers = 2;
     config.finger[0] = finger(twd_icub_index, sim::aai, sim::fei, setup.hand.index_distal_deg, setup.physics);

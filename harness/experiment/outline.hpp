@@ -1,7 +1,7 @@
 // outline.hpp: the object's outline as lines in space, at angle 0, for figures.
 #pragma once
 
-#include "sim/hinged_object.hpp"
+#include "sim/object_body.hpp"
 
 #include <LinearMath/btVector3.h>
 

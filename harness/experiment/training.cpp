@@ -23,7 +23,8 @@ sim::Setup setup_of(const record::RunSpecification &specification)
 TrialRunner make_trial_runner(const record::RunSpecification &specification, const std::filesystem::path &models_dir)
 {
     const sim::HandHold hold = specification.hand == "full" ? sim::HandHold::full : sim::HandHold::welded;
-    return TrialRunner(sim::read_hand_model(models_dir / "icub_right_hand.urdf"),
+    return TrialRunner(sim::stepper_of_name(specification.stepper),
+                       sim::read_hand_model(models_dir / "icub_right_hand.urdf"),
                        sim::read_object(models_dir, specification.object), setup_of(specification), hold,
                        find_model(specification.model), specification.centre);
 }

@@ -24,10 +24,10 @@ bool is_possible(const sim::JointVector &angle_rad, const sim::JointVector &velo
     return std::abs(rotation_rad) < impossible_rotation_rad;
 }
 
-TrialRunner::TrialRunner(const sim::HandModel &hand, const sim::ObjectSpec &object, const sim::Setup &setup,
-                         sim::HandHold hold, const twd_model &model, bool with_centre)
-    : hand_(hand), object_(object), setup_(setup), hold_(hold), world_(hand_, object_, setup_, hold_),
-      substeps_(world_.substeps_per_step())
+TrialRunner::TrialRunner(sim::Stepper stepper, const sim::HandModel &hand, const sim::ObjectSpec &object,
+                         const sim::Setup &setup, sim::HandHold hold, const twd_model &model, bool with_centre)
+    : stepper_(stepper), hand_(hand), object_(object), setup_(setup), hold_(hold),
+      world_(sim::make_world(stepper_, hand_, object_, setup_, hold_)), substeps_(world_->substeps_per_step())
 {
     const twd_controller_config config = controller_config(setup_, model, with_centre);
     const twd_error error = twd_controller_init(&controller_, &config);
@@ -54,7 +54,7 @@ TrialResult TrialRunner::run(const Parameters &parameters)
 
 TrialResult TrialRunner::fault(int step)
 {
-    world_ = sim::World(hand_, object_, setup_, hold_);
+    world_ = sim::make_world(stepper_, hand_, object_, setup_, hold_);
     return {0, "the simulation left the possible joint angles in step " + std::to_string(step) +
                    "; the trial counts as 0 rad"};
 }

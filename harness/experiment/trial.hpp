@@ -7,6 +7,7 @@
 
 #include <twiddle/controller.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,8 @@ class TrialRunner
 {
   public:
     // Throws std::runtime_error for a set-up that hand, object or controller refuse.
-    TrialRunner(const sim::HandModel &hand, const sim::ObjectSpec &object, const sim::Setup &setup, sim::HandHold hold,
-                const twd_model &model, bool with_centre);
+    TrialRunner(sim::Stepper stepper, const sim::HandModel &hand, const sim::ObjectSpec &object,
+                const sim::Setup &setup, sim::HandHold hold, const twd_model &model, bool with_centre);
 
     // Give the controller the trial's parameters without a trial. Throws std::invalid_argument if it refuses them.
     void start(const Parameters &parameters);
@@ -62,11 +63,12 @@ class TrialRunner
     // A world after a fault cannot be trusted to reset: build it anew.
     TrialResult fault(int step);
 
+    sim::Stepper stepper_;
     sim::HandModel hand_;
     sim::ObjectSpec object_;
     sim::Setup setup_;
     sim::HandHold hold_;
-    sim::World world_;
+    std::unique_ptr<sim::World> world_;
     int substeps_;
     twd_controller controller_{};
 };
@@ -75,8 +77,8 @@ inline TrialRunner::Torques TrialRunner::advance(const Torques &desired_rad)
 {
     Torques torque_nm{};
     for (int substep = 0; substep < substeps_; ++substep) {
-        const sim::JointVector angles_rad = world_.angles_rad();
-        const sim::JointVector velocities_rad_s = world_.velocities_rad_s();
+        const sim::JointVector angles_rad = world_->angles_rad();
+        const sim::JointVector velocities_rad_s = world_->velocities_rad_s();
         Torques angle_rad{};
         Torques velocity_rad_s{};
         for (std::size_t i = 0; i < sim::joint_count; ++i) {
@@ -89,7 +91,7 @@ inline TrialRunner::Torques TrialRunner::advance(const Torques &desired_rad)
         for (std::size_t i = 0; i < sim::joint_count; ++i) {
             applied_nm[i] = torque_nm[i];
         }
-        world_.substep(applied_nm);
+        world_->substep(applied_nm);
     }
     return torque_nm;
 }
@@ -97,12 +99,12 @@ inline TrialRunner::Torques TrialRunner::advance(const Torques &desired_rad)
 template <class Observer> TrialResult TrialRunner::run_observed(const Parameters &parameters, Observer &&observer)
 {
     start(parameters);
-    world_.reset();
+    world_->reset();
     Torques desired_rad{};
     for (int step = 1; step <= trial_steps; ++step) {
         twd_controller_tick(&controller_, desired_rad.data());
         const Torques torque_nm = advance(desired_rad);
-        if (!is_possible(world_.angles_rad(), world_.velocities_rad_s(), world_.object_rotation_rad()))
+        if (!is_possible(world_->angles_rad(), world_->velocities_rad_s(), world_->object_rotation_rad()))
             return fault(step);
 
         StepSample sample;
@@ -111,9 +113,9 @@ template <class Observer> TrialResult TrialRunner::run_observed(const Parameters
             sample.desired_rad[i] = desired_rad[i];
             sample.torque_nm[i] = torque_nm[i];
         }
-        observer(sample, static_cast<const sim::World &>(world_));
+        observer(sample, static_cast<const sim::World &>(*world_));
     }
-    return {world_.object_rotation_rad() + 0.0, {}}; // a sum with 0 is never -0
+    return {world_->object_rotation_rad() + 0.0, {}}; // a sum with 0 is never -0
 }
 
 } // namespace twiddle::experiment

@@ -18,7 +18,7 @@ struct RunSpecification {
     std::uint64_t seed = 0;
     std::uint32_t trials = 0;
     std::string hand;        // "welded" or "full"
-    std::string stepper;     // "reference"
+    std::string stepper;     // "reference" or "fast"
     std::string number;      // of the C library: "float" or "double"
     std::string setup;       // the set-up's name
     nlohmann::json settings; // all settings as resolved, overrides included (Setup::settings)

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "articulated_hand.hpp"
-#include "hinged_object.hpp"
+#include "object_body.hpp"
 
 #include <optional>
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace twiddle::sim
 {
@@ -10,84 +11,77 @@ namespace
 {
 
 // A direction in which neither body can move has no inverse mass; this share of the largest keeps it solvable.
-constexpr double least_share = 1e-9;
+constexpr double least_share = 1e-12;
 constexpr int most_steps = 60;
 constexpr double tolerance = 1e-10;
 
 } // namespace
 
 CoulombContact::CoulombContact(const ContactMatrix &inverse_mass, double friction)
-    : inverse_mass_(inverse_mass), friction_(friction)
+    : inverse_mass_(inverse_mass), friction_(friction), inverse_normal_(1 / inverse_mass[0][0])
 {
     const ContactMatrix &w = inverse_mass_;
-    const double a11 = w[1][1] - w[0][1] * w[0][1] / w[0][0];
-    const double a22 = w[2][2] - w[0][2] * w[0][2] / w[0][0];
-    const double a12 = w[1][2] - w[0][1] * w[0][2] / w[0][0];
-    const double mean = (a11 + a22) / 2, half_difference = (a11 - a22) / 2;
-    const double radius = std::sqrt(half_difference * half_difference + a12 * a12);
+    coupling_ = {w[0][1] * inverse_normal_, w[0][2] * inverse_normal_};
     const double least = least_share * std::max({w[0][0], w[1][1], w[2][2]});
-    eigenvalue_ = {std::max(mean + radius, least), std::max(mean - radius, least)};
-    // Half the angle of (half_difference, a12) is the first eigenvector's direction.
-    const double angle_rad = radius > 0 ? std::atan2(a12, half_difference) / 2 : 0;
-    eigenvector_[0] = {std::cos(angle_rad), std::sin(angle_rad)};
-    eigenvector_[1] = {-eigenvector_[0][1], eigenvector_[0][0]};
-    for (int i = 0; i < 2; i++)
-        coupling_[i] = eigenvector_[i][0] * w[0][1] + eigenvector_[i][1] * w[0][2];
+    schur_ = {w[1][1] - w[0][1] * coupling_[0] + least, w[1][2] - w[0][1] * coupling_[1],
+              w[2][2] - w[0][2] * coupling_[1] + least};
 }
 
-CoulombContact::Trial CoulombContact::try_multiplier(double lambda, double b_normal,
-                                                     const std::array<double, 2> &c) const
+inline CoulombContact::Trial CoulombContact::try_multiplier(double lambda, double normal_alone,
+                                                            const std::array<double, 2> &c) const
 {
+    const double a11 = schur_[0] + lambda, a12 = schur_[1], a22 = schur_[2] + lambda;
+    const double inverse_determinant = 1 / (a11 * a22 - a12 * a12);
+    const auto solve = [&](double x, double y) {
+        return std::array<double, 2>{(a22 * x - a12 * y) * inverse_determinant,
+                                     (a11 * y - a12 * x) * inverse_determinant};
+    };
     Trial trial;
-    trial.tangential = {-c[0] / (eigenvalue_[0] + lambda), -c[1] / (eigenvalue_[1] + lambda)};
-    trial.normal =
-        -(b_normal + coupling_[0] * trial.tangential[0] + coupling_[1] * trial.tangential[1]) / inverse_mass_[0][0];
-    const double size =
-        std::sqrt(trial.tangential[0] * trial.tangential[0] + trial.tangential[1] * trial.tangential[1]);
-    trial.excess = size - friction_ * trial.normal;
+    trial.tangential = solve(-c[0], -c[1]);
+    trial.solved = solve(trial.tangential[0], trial.tangential[1]);
+    trial.normal = normal_alone - coupling_[0] * trial.tangential[0] - coupling_[1] * trial.tangential[1];
+    trial.size = std::sqrt(trial.tangential[0] * trial.tangential[0] + trial.tangential[1] * trial.tangential[1]);
     return trial;
 }
 
-ContactVector CoulombContact::solve(const ContactVector &b) const
+inline double CoulombContact::newton_step(const Trial &trial) const
 {
-    if (b[0] >= 0) return {0, 0, 0};
-    if (friction_ <= 0) return {-b[0] / inverse_mass_[0][0], 0, 0};
-    std::array<double, 2> c{};
-    for (int i = 0; i < 2; i++) {
-        const double along = eigenvector_[i][0] * b[1] + eigenvector_[i][1] * b[2];
-        c[i] = along - coupling_[i] * b[0] / inverse_mass_[0][0];
+    // Of f = mu p_n / |p_t| - 1, times |p_t|^3 / mu above and below.
+    const double normal_slope = coupling_[0] * trial.solved[0] + coupling_[1] * trial.solved[1];
+    const double size_slope_size = -(trial.tangential[0] * trial.solved[0] + trial.tangential[1] * trial.solved[1]);
+    const double square = trial.size * trial.size;
+    const double slope = normal_slope * square - trial.normal * size_slope_size;
+    return square * trial.excess(friction_) / (friction_ * slope);
+}
+
+ContactVector CoulombContact::solve(const ContactVector &b, double &multiplier) const
+{
+    const double normal_alone = -b[0] * inverse_normal_; // what stops b without friction
+    if (!(normal_alone > 0) || friction_ <= 0) {
+        multiplier = 0;
+        return {std::max(normal_alone, 0.0), 0, 0};
     }
-    Trial trial = try_multiplier(0, b[0], c);
-    if (trial.excess > 0) {
-        // For a large multiplier the tangential impulse vanishes and the normal one stays: the excess is negative there.
-        double low = 0, low_excess = trial.excess, high = eigenvalue_[0];
-        trial = try_multiplier(high, b[0], c);
-        while (trial.excess > 0) {
-            low = high;
-            low_excess = trial.excess;
-            high *= 4;
-            trial = try_multiplier(high, b[0], c);
+    const std::array<double, 2> c = {b[1] - coupling_[0] * b[0], b[2] - coupling_[1] * b[0]};
+    const double enough = tolerance * normal_alone;
+    // The excess falls with the multiplier: for a large one the tangential impulse vanishes and the normal one stays. So either
+    // the excess at 0 is not positive and the contact sticks, or there is one root.
+    double low = -1, high = std::numeric_limits<double>::infinity(); // low < 0: not even 0 is known to be too small
+    Trial trial = try_multiplier(multiplier, normal_alone, c);
+    for (int i = 0; i < most_steps; i++) {
+        const double excess = trial.excess(friction_);
+        if (std::abs(excess) <= enough || (excess < 0 && multiplier == 0)) break;
+        (excess > 0 ? low : high) = multiplier;
+        double next = multiplier + newton_step(trial);
+        if (low < 0 && !(next > 0)) {
+            next = 0;
+        } else if (!(next > low && next < high)) {
+            next = high < std::numeric_limits<double>::infinity() ? (low + high) / 2 : 4 * low + schur_[0] + schur_[2];
         }
-        // Regula falsi (Illinois): the retained end's excess is halved, so that both ends move.
-        double high_excess = trial.excess;
-        const double scale = -b[0] / inverse_mass_[0][0];
-        for (int i = 0; i < most_steps && std::abs(trial.excess) > tolerance * scale; i++) {
-            const double middle = (low * high_excess - high * low_excess) / (high_excess - low_excess);
-            trial = try_multiplier(middle, b[0], c);
-            if (trial.excess > 0) {
-                low = middle;
-                low_excess = trial.excess;
-                high_excess /= 2;
-            } else {
-                high = middle;
-                high_excess = trial.excess;
-                low_excess /= 2;
-            }
-        }
+        if (next == multiplier) break; // no number lies between
+        multiplier = next;
+        trial = try_multiplier(multiplier, normal_alone, c);
     }
-    const auto &p = trial.tangential;
-    return {std::max(trial.normal, 0.0), eigenvector_[0][0] * p[0] + eigenvector_[1][0] * p[1],
-            eigenvector_[0][1] * p[0] + eigenvector_[1][1] * p[1]};
+    return {std::max(trial.normal, 0.0), trial.tangential[0], trial.tangential[1]};
 }
 
 } // namespace twiddle::sim

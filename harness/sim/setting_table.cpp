@@ -163,6 +163,8 @@ std::vector<Setting> make_table()
         hand.number("torque_limit_nm", &H::torque_limit_nm, above(0, 10)),
         hand.joints("stiffness_nm_per_rad", &H::stiffness_nm_per_rad, above(0, 10)),
         hand.joints("damping_nms_per_rad", &H::damping_nms_per_rad, from(0, 1)),
+        hand.word("pd_law", &H::pd_law, "plain", PdLaw::plain, "stable", PdLaw::stable),
+        hand.joints("pd_inertia_kg_m2", &H::pd_inertia_kg_m2, above(0, 0.01)),
 
         contact.number("friction", &P::friction, from(0, 5)),
         contact.flag("index_thumb_contact", &P::index_thumb_contact),

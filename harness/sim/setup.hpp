@@ -18,6 +18,7 @@ namespace twiddle::sim
 
 enum class CubeSize { whole_diagonal, half_diagonal };
 enum class PhaseStart { desired_lag, zero };
+enum class PdLaw { plain, stable };
 
 // [object]: what is turned, and where.
 struct ObjectSetup {
@@ -42,6 +43,8 @@ struct HandSetup {
     double torque_limit_nm = 0;
     JointVector stiffness_nm_per_rad{};
     JointVector damping_nms_per_rad{};
+    PdLaw pd_law = PdLaw::plain;
+    JointVector pd_inertia_kg_m2{}; // what the stable law takes each joint's effective inertia for
 };
 
 // [contact] and [physics]: Bullet's world.

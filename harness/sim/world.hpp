@@ -1,4 +1,4 @@
-// world.hpp: one Bullet world with a hand and a hinged object, stepped by torques.
+// world.hpp: a hand and a hinged object, stepped by torques. Two steppers stand behind it (make_world).
 //
 // The world is in the palm frame (hand_model.hpp). It knows nothing of CPGs, trials or rewards. A world that was reset
 // continues exactly as a new one does.
@@ -11,9 +11,17 @@
 #include "setup.hpp"
 
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace twiddle::sim
 {
+
+constexpr double control_step_s = 0.01; // the paper's
+
+// Gravity in the palm frame.
+btVector3 gravity_palm_m_s2(const PhysicsSetup &setup);
 
 // What can be seen of the world after a substep. All in the palm frame.
 struct Observation {
@@ -31,33 +39,51 @@ struct Observation {
 class World
 {
   public:
-    // Throws std::runtime_error if the straight hand touches the object (the sentence names link, object and depth).
-    World(const HandModel &hand, const ObjectSpec &object, const Setup &setup, HandHold hold);
-    ~World();
-    World(World &&) noexcept;
-    World &operator=(World &&) noexcept;
+    World() = default;
+    World(const World &) = delete;
+    World &operator=(const World &) = delete;
+    virtual ~World() = default;
 
     // Back to the start: all joints at 0 (held ones at their angles), everything at rest.
-    void reset();
+    virtual void reset() = 0;
 
     // Advance by one substep of 10 ms / substeps under the torques `torque_nm` (limited to the set-up's torque limit).
-    void substep(const JointVector &torque_nm);
+    virtual void substep(const JointVector &torque_nm) = 0;
 
     // The controlled joints; cheap, for the PD law at every substep.
-    JointVector angles_rad() const;
-    JointVector velocities_rad_s() const;
+    virtual JointVector angles_rad() const = 0;
+    virtual JointVector velocities_rad_s() const = 0;
 
     // The object's rotation, in the counted direction.
-    double object_rotation_rad() const;
+    virtual double object_rotation_rad() const = 0;
 
     // Everything; call it once a control step.
-    Observation observe() const;
+    virtual Observation observe() const = 0;
 
-    int substeps_per_step() const;
-
-  private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    virtual int substeps_per_step() const = 0;
 };
+
+// Who solves the equations of motion, with the same model and the same contact parameters.
+// reference: Bullet's multibody world (reference/). fast: our own time stepper on the finger dynamics that Bullet's
+// multibody gives (fast/), for the welded hand.
+enum class Stepper { reference, fast };
+
+// "reference", "fast"; in the order of the enumeration.
+const std::vector<std::string> &stepper_names();
+
+// Throws std::out_of_range for a name that is none.
+Stepper stepper_of_name(const std::string &name);
+
+// The stepper does not cover this hand or set-up; the sentence names the one that does.
+class NotCovered : public std::runtime_error
+{
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// Throws std::runtime_error with one sentence if the straight hand touches the object (it names link, object and depth), and
+// NotCovered if the stepper does not cover this hand or set-up.
+std::unique_ptr<World> make_world(Stepper stepper, const HandModel &hand, const ObjectSpec &object, const Setup &setup,
+                                  HandHold hold);
 
 } // namespace twiddle::sim

@@ -1,6 +1,8 @@
 // Set-ups: their files, overrides and the sentences that refuse wrong ones.
 #include "scratch_folder.hpp"
 
+#include "sim/hand_model.hpp"
+#include "sim/joints.hpp"
 #include "sim/setting_table.hpp"
 #include "sim/setup.hpp"
 #include "sim/text_file.hpp"
@@ -90,11 +92,54 @@ TEST(setup, shared_settings_have_their_values)
     EXPECT_EQ(s.object.cube_size, sim::CubeSize::whole_diagonal);
     EXPECT_EQ(s.oscillators.phase_start, sim::PhaseStart::desired_lag);
     EXPECT_FALSE(s.physics.index_thumb_contact);
+    EXPECT_EQ(s.hand.pd_law, sim::PdLaw::plain);
     EXPECT_EQ(s.learner.actor_rate, 0.1);
     EXPECT_EQ(s.learner.critic_rate, 0.1);
     EXPECT_EQ(s.learner.noise_start, 0.5);
     EXPECT_EQ(s.learner.noise_end, 0.05);
     EXPECT_EQ(s.learner.noise_decay_fraction, 0.6);
+}
+
+// Inertia of `first_link`, of the links that hang on it, at `angle_rad` of each link, and of a drive about its joint's axis.
+double inertia_about_joint(const sim::HandModel &hand, int first_link, const std::vector<double> &angle_rad,
+                           double reflected_kg_m2)
+{
+    double inertia_kg_m2 = reflected_kg_m2;
+    std::vector<bool> carried(hand.links.size(), false);
+    std::vector<btTransform> X_first_link(hand.links.size(), btTransform::getIdentity());
+    for (std::size_t i = static_cast<std::size_t>(first_link); i < hand.links.size(); ++i) {
+        const sim::HandLink &link = hand.links[i];
+        const bool is_first = i == static_cast<std::size_t>(first_link);
+        carried[i] = is_first || (link.parent >= 0 && carried[static_cast<std::size_t>(link.parent)]);
+        if (!carried[i]) continue;
+        if (!is_first) {
+            const btTransform turn(btQuaternion(btVector3(0, 0, 1), angle_rad[i]));
+            X_first_link[i] = X_first_link[static_cast<std::size_t>(link.parent)] * link.X_parent_joint * turn;
+        }
+        const btVector3 com_m = X_first_link[i] * link.p_link_com_m;
+        const btVector3 axis = X_first_link[i].getBasis().transpose() * btVector3(0, 0, 1);
+        inertia_kg_m2 +=
+            axis.dot(link.inertia_kg_m2 * axis) + link.mass_kg * (com_m.x() * com_m.x() + com_m.y() * com_m.y());
+    }
+    return inertia_kg_m2;
+}
+
+// Expected: the inertia of the links beyond each joint about its axis, summed link by link over the URDF, with the four
+// joints in the middle of their ranges, within a per cent.
+TEST(setup, stable_pd_law_knows_the_hands_inertias)
+{
+    const sim::Setup s = load_setup(TWIDDLE_MODELS, "mid-a");
+    const sim::HandModel hand = sim::read_hand_model(std::string(TWIDDLE_MODELS) + "/icub_right_hand.urdf");
+    std::vector<double> angle_rad(hand.links.size(), 0);
+    for (const char *joint : sim::joint_urdf_names) {
+        const auto link = static_cast<std::size_t>(hand.link_of_joint(joint));
+        angle_rad[link] = (hand.links[link].lower_rad + hand.links[link].upper_rad) / 2;
+    }
+    for (std::size_t joint = 0; joint < sim::joint_count; ++joint) {
+        const double expected = inertia_about_joint(hand, hand.link_of_joint(sim::joint_urdf_names[joint]), angle_rad,
+                                                    s.hand.reflected_inertia_kg_m2);
+        EXPECT_NEAR(s.hand.pd_inertia_kg_m2[joint], expected, 0.01 * expected) << sim::joint_names[joint];
+    }
 }
 
 TEST(setup, every_file_loads_and_common_is_no_setup)
@@ -124,6 +169,7 @@ nlohmann::json other_value(const nlohmann::json &value)
 {
     if (value == "whole-diagonal") return "half-diagonal";
     if (value == "desired-lag") return "zero";
+    if (value == "plain") return "stable";
     if (value.is_boolean()) return !value.get<bool>();
     if (value.is_array()) return {0, 1, 0};
     if (value == -1) return 1;
@@ -177,6 +223,7 @@ TEST(setup, overrides_take_toml_values_and_bare_words)
                                     {{"object.mass_kg", "0.2"},
                                      {"object.cube_size", "half-diagonal"},
                                      {"oscillators.phase_start", "\"zero\""},
+                                     {"hand.pd_law", "stable"},
                                      {"contact.index_thumb_contact", "true"},
                                      {"physics.substeps", "7"},
                                      {"object.counted_direction", "+1"},
@@ -186,6 +233,7 @@ TEST(setup, overrides_take_toml_values_and_bare_words)
     EXPECT_EQ(s.object.mass_kg, 0.3); // the last one counts
     EXPECT_EQ(s.object.cube_size, sim::CubeSize::half_diagonal);
     EXPECT_EQ(s.oscillators.phase_start, sim::PhaseStart::zero);
+    EXPECT_EQ(s.hand.pd_law, sim::PdLaw::stable);
     EXPECT_TRUE(s.physics.index_thumb_contact);
     EXPECT_EQ(s.physics.substeps, 7);
     EXPECT_EQ(s.object.counted_direction, 1);

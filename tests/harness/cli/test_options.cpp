@@ -50,8 +50,7 @@ TEST(Options, wrong_use_is_one_sentence_and_status_2)
 // What this version does not do yet is refused in one sentence that says what to use.
 TEST(Options, what_is_not_in_this_version_is_refused)
 {
-    const std::vector<std::pair<std::string, std::string>> cases = {{"--stepper fast", "use --stepper reference"},
-                                                                    {"--number fixed", "use --number float, double"},
+    const std::vector<std::pair<std::string, std::string>> cases = {{"--number fixed", "use --number float, double"},
                                                                     {"--target microbit", "use --target host"},
                                                                     {"--target mps2-an386", "use --target host"},
                                                                     {"--setup paper", "use --setup with one of mid-a"}};

@@ -41,6 +41,31 @@ TEST(ControllerSetup, settings_reach_their_joints)
     EXPECT_EQ(twd_controller_init(&controller, &config), TWD_OK);
 }
 
+// The stable PD law is told each joint's inertia and the substep, and leaves ranges and limit alone. Expected: Kp / D and
+// (Kd + h Kp) / D with D = 1 + h (Kd + h Kp) / M, from the settings, in double.
+TEST(ControllerSetup, stable_pd_law_takes_its_period_from_the_substeps)
+{
+    for (const int substeps : {2, 5}) {
+        const sim::Setup setup =
+            sim::load_setup(TWIDDLE_MODELS, "mid-a",
+                            {{"hand.pd_law", "stable"},
+                             {"hand.pd_inertia_kg_m2", "{ fei = 4e-5, aai = 5e-5, fet = 6e-5, ot = 7e-5 }"},
+                             {"physics.substeps", std::to_string(substeps)}});
+        const twd_controller_config plain = controller_config(mid_a(), find_model("cpg-c"), true);
+        const twd_controller_config stable = controller_config(setup, find_model("cpg-c"), true);
+        const double h = 0.01 / substeps;
+        const std::array<double, 4> inertia_kg_m2 = {4e-5, 5e-5, 6e-5, 7e-5};
+        for (std::size_t i = 0; i < inertia_kg_m2.size(); ++i) {
+            const double kp = setup.hand.stiffness_nm_per_rad[i], kd = setup.hand.damping_nms_per_rad[i];
+            const double divisor = 1 + h * (kd + h * kp) / inertia_kg_m2[i];
+            EXPECT_NEAR(stable.joint[i].pd.stiffness_nm_per_rad, kp / divisor, 1e-6) << i;
+            EXPECT_NEAR(stable.joint[i].pd.damping_nms_per_rad, (kd + h * kp) / divisor, 1e-8) << i;
+            EXPECT_EQ(stable.joint[i].pd.torque_limit_nm, plain.joint[i].pd.torque_limit_nm) << i;
+            EXPECT_EQ(stable.joint[i].upper_rad, plain.joint[i].upper_rad) << i;
+        }
+    }
+}
+
 // The chains' moving joints are the controller's: index AAI then FEI, thumb OT then FET, from the palm outwards.
 TEST(ControllerSetup, chains_move_their_own_joints)
 {
@@ -53,13 +78,15 @@ TEST(ControllerSetup, chains_move_their_own_joints)
     EXPECT_EQ(config.finger[0].gravity.moving, 2);
 }
 
-// Held distal joints change the gravity table: a bent finger's centre of mass lies elsewhere. Expected: another moment, same weight.
+// Held distal joints change the gravity table: a bent finger's centre of mass lies elsewhere. Expected: another moment of the last
+// moving link; the same of the first, which carries the same weight at the same joint.
 TEST(ControllerSetup, held_angles_reach_the_gravity_table)
 {
     const auto bent_setup = sim::load_setup(TWIDDLE_MODELS, "mid-a", {{"hand.index_distal_deg", "20"}});
     const auto straight = controller_config(mid_a(), find_model("cpg-c"), true).finger[0].gravity;
     const auto bent = controller_config(bent_setup, find_model("cpg-c"), true).finger[0].gravity;
-    EXPECT_NEAR(bent.joint[1].weight_n, straight.joint[1].weight_n, 1e-6);
+    for (int axis = 0; axis < 3; ++axis)
+        EXPECT_EQ(bent.joint[0].moment_nm[axis], straight.joint[0].moment_nm[axis]) << axis;
     EXPECT_GT(std::abs(bent.joint[1].moment_nm[1] - straight.joint[1].moment_nm[1]), 1e-5);
 }
 

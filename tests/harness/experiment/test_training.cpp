@@ -18,7 +18,7 @@ record::RunSpecification specification(const std::string &model, std::uint32_t t
     specification.seed = 11;
     specification.trials = trials;
     specification.hand = "welded";
-    specification.stepper = "reference";
+    specification.stepper = "fast";
     specification.setup = "mid-a";
     specification.settings = sim::load_setup(TWIDDLE_MODELS, "mid-a", {{"learner.reward_per_rad", "0.5"}}).settings;
     return specification;

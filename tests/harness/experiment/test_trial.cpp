@@ -17,7 +17,8 @@ using namespace twiddle::experiment;
 
 TrialRunner runner(const std::string &object, const std::string &model, bool with_centre = true)
 {
-    return TrialRunner(sim::read_hand_model(std::filesystem::path(TWIDDLE_MODELS) / "icub_right_hand.urdf"),
+    return TrialRunner(sim::Stepper::fast,
+                       sim::read_hand_model(std::filesystem::path(TWIDDLE_MODELS) / "icub_right_hand.urdf"),
                        sim::read_object(TWIDDLE_MODELS, object), sim::load_setup(TWIDDLE_MODELS, "mid-a"),
                        sim::HandHold::welded, find_model(model), with_centre);
 }

@@ -2,8 +2,9 @@
 #include "fixtures.hpp"
 
 #include "sim/clearance.hpp"
-#include "sim/object.hpp"
+#include "sim/reference/hinged_object.hpp"
 #include "sim/world.hpp"
+#include "sim/object.hpp"
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
@@ -35,8 +36,8 @@ TEST_P(StraightHand, is_clear_of_all_nine_objects)
     const auto objects = object_names(TWIDDLE_MODELS);
     EXPECT_EQ(objects.size(), 9U);
     for (const auto &object : objects) {
-        EXPECT_NO_THROW(
-            World(icub_hand(), read_object(TWIDDLE_MODELS, object), load_setup(TWIDDLE_MODELS, setup), hold))
+        EXPECT_NO_THROW(make_world(Stepper::reference, icub_hand(), read_object(TWIDDLE_MODELS, object),
+                                   load_setup(TWIDDLE_MODELS, setup), hold))
             << object;
     }
 }
@@ -57,7 +58,8 @@ TEST(Clearance, an_object_inside_a_finger_is_refused_by_name)
     const auto setup = default_setup(
         {{"object.hinge_x_m", "0.11"}, {"object.hinge_y_m", "-0.0301"}, {"object.centre_z_m", "-0.0104"}});
     try {
-        const World world(icub_hand(), read_object(TWIDDLE_MODELS, "small-sphere"), setup, HandHold::welded);
+        make_world(Stepper::reference, icub_hand(), read_object(TWIDDLE_MODELS, "small-sphere"), setup,
+                   HandHold::welded);
         FAIL() << "a world was made";
     } catch (const std::runtime_error &error) {
         const std::string text = error.what();

@@ -23,7 +23,13 @@ constexpr int sets = 60;
 TrialRunner make_runner(const std::string &object, int substeps, sim::HandHold hold = sim::HandHold::welded)
 {
     const sim::Setup setup = sim::default_setup({{"physics.substeps", std::to_string(substeps)}});
-    return {sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, object), setup, hold, find_model("cpg-c"), true};
+    return {sim::Stepper::reference,
+            sim::icub_hand(),
+            sim::read_object(TWIDDLE_MODELS, object),
+            setup,
+            hold,
+            find_model("cpg-c"),
+            true};
 }
 
 struct Outcome {

@@ -39,8 +39,12 @@ std::vector<double> trace(TrialRunner &runner, const Parameters &parameters)
 
 } // namespace
 
+class Determinism : public testing::TestWithParam<sim::Stepper>
+{
+};
+
 // A trial after resets equals the same trial in a world of its own, bit for bit, for all nine objects, in both orders.
-TEST(Determinism, a_trial_after_a_reset_equals_the_trial_in_a_fresh_world)
+TEST_P(Determinism, a_trial_after_a_reset_equals_the_trial_in_a_fresh_world)
 {
     const sim::HandModel hand = sim::icub_hand();
     const sim::Setup setup = sim::default_setup();
@@ -48,7 +52,9 @@ TEST(Determinism, a_trial_after_a_reset_equals_the_trial_in_a_fresh_world)
     std::mt19937_64 random(20111);
     for (const std::string &name : sim::object_names(TWIDDLE_MODELS)) {
         const sim::ObjectSpec object = sim::read_object(TWIDDLE_MODELS, name);
-        const auto fresh = [&] { return TrialRunner(hand, object, setup, sim::HandHold::welded, model, true); };
+        const auto fresh = [&] {
+            return TrialRunner(GetParam(), hand, object, setup, sim::HandHold::welded, model, true);
+        };
         const Parameters first = random_parameters(random), second = random_parameters(random);
         TrialRunner alone_first = fresh(), alone_second = fresh(), forwards = fresh(), backwards = fresh();
         const auto expected_first = trace(alone_first, first), expected_second = trace(alone_second, second);
@@ -60,12 +66,13 @@ TEST(Determinism, a_trial_after_a_reset_equals_the_trial_in_a_fresh_world)
 }
 
 // The same holds with all 19 joints movable.
-TEST(Determinism, a_reset_equals_a_rebuild_with_the_full_hand)
+TEST(FullHand, a_reset_equals_a_rebuild_with_the_full_hand)
 {
     const sim::HandModel hand = sim::icub_hand();
     const sim::ObjectSpec object = sim::read_object(TWIDDLE_MODELS, "small-sphere");
     const auto fresh = [&] {
-        return TrialRunner(hand, object, sim::default_setup(), sim::HandHold::full, find_model("cpg-h"), true);
+        return TrialRunner(sim::Stepper::reference, hand, object, sim::default_setup(), sim::HandHold::full,
+                           find_model("cpg-h"), true);
     };
     std::mt19937_64 random(20112);
     const Parameters first = random_parameters(random), second = random_parameters(random);
@@ -74,5 +81,10 @@ TEST(Determinism, a_reset_equals_a_rebuild_with_the_full_hand)
     trace(after, first);
     EXPECT_EQ(trace(after, second), expected);
 }
+
+INSTANTIATE_TEST_SUITE_P(Sim, Determinism, testing::Values(sim::Stepper::reference, sim::Stepper::fast),
+                         [](const auto &stepper) {
+                             return sim::stepper_names()[static_cast<int>(stepper.param)] + "_stepper";
+                         });
 
 } // namespace twiddle::experiment

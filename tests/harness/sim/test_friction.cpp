@@ -1,6 +1,6 @@
 // The contact solver against Coulomb's law: sliding friction opposes slip in every direction, and a block on an incline
 // sticks and slides as in a textbook.
-#include "sim/cone_friction_solver.hpp"
+#include "sim/reference/cone_friction_solver.hpp"
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>

@@ -110,12 +110,13 @@ INSTANTIATE_TEST_SUITE_P(Sim, GravityTorque,
                          });
 
 // A world without anything in the fingers' way, and the controller that holds its hand.
-class GravityHold : public testing::TestWithParam<const char *>
+class GravityHold : public testing::TestWithParam<std::tuple<sim::Stepper, const char *>>
 {
   protected:
     GravityHold()
-        : setup_(sim::load_setup(TWIDDLE_MODELS, GetParam(), {{"object.hinge_x_m", "-0.2"}})),
-          world_(sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, "small-sphere"), setup_, sim::HandHold::welded)
+        : setup_(sim::load_setup(TWIDDLE_MODELS, std::get<1>(GetParam()), {{"object.hinge_x_m", "-0.2"}})),
+          world_(sim::make_world(std::get<0>(GetParam()), sim::icub_hand(),
+                                 sim::read_object(TWIDDLE_MODELS, "small-sphere"), setup_, sim::HandHold::welded))
     {
         const twd_controller_config config =
             experiment::controller_config(setup_, experiment::find_model("cpg-c"), true);
@@ -126,11 +127,11 @@ class GravityHold : public testing::TestWithParam<const char *>
     void drive_to(const JointVector &desired_rad)
     {
         for (int i = 0; i < substeps_in_a_second(); ++i) {
-            const JointVector angle_rad = world_.angles_rad(), velocity_rad_s = world_.velocities_rad_s();
+            const JointVector angle_rad = world_->angles_rad(), velocity_rad_s = world_->velocities_rad_s();
             JointVector torque_nm{};
             twd_controller_torque(&controller_, desired_rad.data(), angle_rad.data(), velocity_rad_s.data(),
                                   torque_nm.data());
-            world_.substep(torque_nm);
+            world_->substep(torque_nm);
         }
     }
 
@@ -138,18 +139,18 @@ class GravityHold : public testing::TestWithParam<const char *>
     // times `share`. Returns how far a joint went.
     double drift_rad(double share)
     {
-        const JointVector start_rad = world_.angles_rad();
+        const JointVector start_rad = world_->angles_rad();
         const JointVector at_rest{};
         double drift = 0;
         for (int i = 0; i < substeps_in_a_second(); ++i) {
-            const JointVector angle_rad = world_.angles_rad();
+            const JointVector angle_rad = world_->angles_rad();
             JointVector torque_nm{};
             twd_controller_torque(&controller_, angle_rad.data(), angle_rad.data(), at_rest.data(), torque_nm.data());
             for (double &torque : torque_nm)
                 torque *= share;
-            world_.substep(torque_nm);
+            world_->substep(torque_nm);
             for (std::size_t j = 0; j < sim::joint_count; ++j)
-                drift = std::max(drift, std::abs(world_.angles_rad()[j] - start_rad[j]));
+                drift = std::max(drift, std::abs(world_->angles_rad()[j] - start_rad[j]));
         }
         return drift;
     }
@@ -159,11 +160,11 @@ class GravityHold : public testing::TestWithParam<const char *>
   private:
     int substeps_in_a_second() const
     {
-        return 100 * world_.substeps_per_step();
+        return 100 * world_->substeps_per_step();
     }
 
     sim::Setup setup_;
-    sim::World world_;
+    std::unique_ptr<sim::World> world_;
     twd_controller controller_{};
 };
 
@@ -180,11 +181,14 @@ TEST_P(GravityHold, the_hand_stays_where_the_gravity_torque_alone_holds_it)
     EXPECT_GT(falling_rad, 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sim, GravityHold, testing::Values("mid-a", "mid-b", "near"), [](const auto &setup) {
-    std::string name = setup.param;
-    std::replace(name.begin(), name.end(), '-', '_'); // GoogleTest's names have no hyphens
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Sim, GravityHold,
+                         testing::Combine(testing::Values(sim::Stepper::reference, sim::Stepper::fast),
+                                          testing::Values("mid-a", "mid-b", "near")),
+                         [](const auto &world) {
+                             std::string name = std::get<1>(world.param);
+                             std::replace(name.begin(), name.end(), '-', '_'); // GoogleTest's names have no hyphens
+                             return name + (std::get<0>(world.param) == sim::Stepper::fast ? "_fast_stepper" : "");
+                         });
 
 } // namespace
 } // namespace twiddle

@@ -172,20 +172,22 @@ double beyond_stops_rad(const sim::World &world)
 }
 
 // A world whose object stands behind the wrist, where no finger reaches it.
-sim::World world_without_contact(HandHold hold)
+std::unique_ptr<sim::World> world_without_contact(sim::Stepper stepper, HandHold hold)
 {
-    return sim::World(sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, "small-sphere"),
-                      sim::default_setup({{"object.hinge_x_m", "-0.2"}}), hold);
+    return sim::make_world(stepper, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, "small-sphere"),
+                           sim::default_setup({{"object.hinge_x_m", "-0.2"}}), hold);
 }
 
-class Stops : public testing::TestWithParam<HandHold>
+class Stops : public testing::TestWithParam<std::pair<sim::Stepper, HandHold>>
 {
+  protected:
+    std::unique_ptr<sim::World> world_ = world_without_contact(GetParam().first, GetParam().second);
 };
 
 // Expected: the paper's ranges; 1 N m for 1 s on one joint at a time, and the other three must keep within theirs, too.
 TEST_P(Stops, a_joint_driven_hard_into_its_stop_stays_there)
 {
-    sim::World world = world_without_contact(GetParam());
+    sim::World &world = *world_;
     double furthest_rad = 0;
     for (std::size_t driven = 0; driven < sim::joint_count; ++driven) {
         for (const double torque_nm : {1.0, -1.0}) {
@@ -232,35 +234,36 @@ double random_drive_beyond_stops_rad(sim::World &world, int changes)
 // Expected: the paper's ranges, whatever the speed and the place from which a joint comes.
 TEST_P(Stops, random_torques_never_drive_a_joint_past_its_stop)
 {
-    sim::World world = world_without_contact(GetParam());
+    sim::World &world = *world_;
     EXPECT_LE(random_drive_beyond_stops_rad(world, 100), stop_tolerance_rad);
 }
 
 // Expected: the same where the object pushes back.
 TEST(Kinematics, random_torques_against_the_object_never_drive_a_joint_past_its_stop)
 {
-    sim::World world(sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, "small-sphere"), sim::default_setup(),
-                     HandHold::welded);
-    EXPECT_LE(random_drive_beyond_stops_rad(world, 1000), stop_tolerance_rad);
+    for (const sim::Stepper stepper : {sim::Stepper::reference, sim::Stepper::fast}) {
+        const auto world = sim::make_world(stepper, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, "small-sphere"),
+                                           sim::default_setup(), HandHold::welded);
+        EXPECT_LE(random_drive_beyond_stops_rad(*world, 1000), stop_tolerance_rad);
+    }
 }
 
 // With the held joints on motors, which contacts can move within a substep, a stop gives a little. Expected: the paper's ranges,
 // within a hundredth of a radian.
 TEST(Kinematics, random_torques_on_the_full_hand_against_the_object_pass_a_stop_by_little)
 {
-    sim::World world(sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, "small-sphere"), sim::default_setup(),
-                     HandHold::full);
-    EXPECT_LE(random_drive_beyond_stops_rad(world, 1000), 0.01);
+    const auto world =
+        sim::make_world(sim::Stepper::reference, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, "small-sphere"),
+                        sim::default_setup(), HandHold::full);
+    EXPECT_LE(random_drive_beyond_stops_rad(*world, 1000), 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinematics, Stops, testing::Values(HandHold::welded, HandHold::full),
-                         [](const auto &hold) { return hold.param == HandHold::full ? "full" : "welded"; });
-
 // Expected: the same motion, bit by bit, as under the limit of 1 N m.
-TEST(Kinematics, torques_beyond_the_limit_act_as_the_limit)
+TEST_P(Stops, torques_beyond_the_limit_act_as_the_limit)
 {
-    sim::World limited = world_without_contact(HandHold::welded);
-    sim::World excessive = world_without_contact(HandHold::welded);
+    sim::World &limited = *world_;
+    const auto other = world_without_contact(GetParam().first, GetParam().second);
+    sim::World &excessive = *other;
     for (int substep = 0; substep < 100; ++substep) {
         const double sign = substep / 10 % 2 == 0 ? 1 : -1;
         limited.substep({sign, -sign, sign, sign});
@@ -269,6 +272,15 @@ TEST(Kinematics, torques_beyond_the_limit_act_as_the_limit)
         ASSERT_EQ(limited.velocities_rad_s(), excessive.velocities_rad_s()) << "substep " << substep;
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Kinematics, Stops,
+                         testing::Values(std::pair(sim::Stepper::reference, HandHold::welded),
+                                         std::pair(sim::Stepper::reference, HandHold::full),
+                                         std::pair(sim::Stepper::fast, HandHold::welded)),
+                         [](const auto &world) {
+                             if (world.param.first == sim::Stepper::fast) return "fast_stepper";
+                             return world.param.second == HandHold::full ? "full" : "welded";
+                         });
 
 } // namespace
 } // namespace twiddle

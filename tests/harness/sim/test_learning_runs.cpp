@@ -25,7 +25,7 @@ record::RunSpecification specification(std::uint64_t seed, const std::vector<sim
     run.seed = seed;
     run.trials = trials;
     run.hand = "welded";
-    run.stepper = "reference";
+    run.stepper = "fast";
     run.number = TWD_NUMBER_NAME;
     run.setup = "mid-a";
     run.settings = sim::default_setup(overrides).settings;

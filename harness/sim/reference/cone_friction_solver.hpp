@@ -7,7 +7,7 @@
 // Setting up the rows stays Bullet's.
 #pragma once
 
-#include "coulomb_contact.hpp"
+#include "sim/coulomb_contact.hpp"
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 
