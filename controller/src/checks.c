@@ -52,17 +52,20 @@ static enum twd_error check_ranges(const struct twd_parameter_ranges *ranges)
     return TWD_OK;
 }
 
+enum twd_error twd_check_pd(const struct twd_pd *pd)
+{
+    if (!(pd->stiffness_nm_per_rad > TWD_NUM(0)) || !twd_is_usable(pd->stiffness_nm_per_rad)) return TWD_ERROR_RANGE;
+    if (!(pd->damping_nms_per_rad >= TWD_NUM(0)) || !twd_is_usable(pd->damping_nms_per_rad)) return TWD_ERROR_RANGE;
+    if (!(pd->torque_limit_nm > TWD_NUM(0)) || !twd_is_usable(pd->torque_limit_nm)) return TWD_ERROR_RANGE;
+    return TWD_OK;
+}
+
 static enum twd_error check_joint(const struct twd_joint *joint)
 {
     const twd_num half_turn_rad = TWD_NUM(3.14159265358979324);
     if (!(joint->lower_rad >= -half_turn_rad) || !(joint->upper_rad <= half_turn_rad)) return TWD_ERROR_RANGE;
     if (!(joint->lower_rad < joint->upper_rad)) return TWD_ERROR_RANGE;
-
-    const struct twd_pd *const pd = &joint->pd;
-    if (!(pd->stiffness_nm_per_rad > TWD_NUM(0)) || !twd_is_usable(pd->stiffness_nm_per_rad)) return TWD_ERROR_RANGE;
-    if (!(pd->damping_nms_per_rad >= TWD_NUM(0)) || !twd_is_usable(pd->damping_nms_per_rad)) return TWD_ERROR_RANGE;
-    if (!(pd->torque_limit_nm > TWD_NUM(0)) || !twd_is_usable(pd->torque_limit_nm)) return TWD_ERROR_RANGE;
-    return TWD_OK;
+    return twd_check_pd(&joint->pd);
 }
 
 static enum twd_error check_finger(const struct twd_finger *finger, uint8_t joints)

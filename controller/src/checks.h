@@ -20,6 +20,9 @@ static inline bool twd_is_usable(twd_num value)
 enum twd_error twd_check_cpg(const struct twd_topology *topology, twd_num tick_s, twd_num amplitude_rate_per_s,
                              twd_num centre_rate_per_s);
 
+/* Whether `pd` is in range. */
+enum twd_error twd_check_pd(const struct twd_pd *pd);
+
 /* Whether a controller can be made of `config`. */
 enum twd_error twd_check_config(const struct twd_controller_config *config);
 

@@ -77,12 +77,13 @@ static void add_gravity(const struct twd_finger *finger, const twd_num *angle_ra
 {
     twd_num finger_angle_rad[TWD_MAX_CHAIN_JOINTS];
     twd_num finger_nm[TWD_MAX_CHAIN_JOINTS];
-    for (uint8_t i = 0; i < finger->gravity.moving; i++) {
+    const size_t moving = finger->gravity.moving;
+    for (size_t i = 0; i < moving; i++) {
         const twd_num angle = angle_rad[finger->joint[i]];
         finger_angle_rad[i] = twd_is_usable(angle) ? angle : TWD_NUM(0);
     }
     twd_gravity_torque(&finger->gravity, finger_angle_rad, finger_nm);
-    for (uint8_t i = 0; i < finger->gravity.moving; i++)
+    for (size_t i = 0; i < moving; i++)
         gravity_nm[finger->joint[i]] += finger_nm[i];
 }
 
@@ -91,20 +92,22 @@ void twd_controller_torque(struct twd_controller *controller, const twd_num *des
 {
     const struct twd_controller_config *const config = &controller->config;
     twd_num gravity_nm[TWD_MAX_JOINTS] = {TWD_NUM(0)};
-    for (uint8_t f = 0; f < config->fingers; f++)
-        add_gravity(&config->finger[f], angle_rad, gravity_nm);
+    const struct twd_finger *const end = config->finger + config->fingers;
+    for (const struct twd_finger *finger = config->finger; finger < end; finger++)
+        add_gravity(finger, angle_rad, gravity_nm);
 
-    for (uint8_t j = 0; j < config->joints; j++) {
+    const size_t joints = config->joints;
+    for (size_t j = 0; j < joints; j++) {
         if (!twd_is_usable(desired_angle_rad[j]) || !twd_is_usable(angle_rad[j]) || !twd_is_usable(velocity_rad_s[j])) {
             count_one(&controller->saturations.input);
             torque_nm[j] = TWD_NUM(0);
             continue;
         }
         const struct twd_pd *const pd = &config->joint[j].pd;
-        const twd_num wanted_nm =
-            twd_pd_torque(pd, desired_angle_rad[j], angle_rad[j], velocity_rad_s[j], gravity_nm[j]);
-        torque_nm[j] = twd_clamp(wanted_nm, -pd->torque_limit_nm, pd->torque_limit_nm);
-        if (!twd_within(wanted_nm, -pd->torque_limit_nm, pd->torque_limit_nm))
+        torque_nm[j] = twd_pd_torque(pd, desired_angle_rad[j], angle_rad[j], velocity_rad_s[j], gravity_nm[j]);
+        if (!twd_within(torque_nm[j], -pd->torque_limit_nm, pd->torque_limit_nm)) {
+            torque_nm[j] = twd_clamp(torque_nm[j], -pd->torque_limit_nm, pd->torque_limit_nm);
             count_one(&controller->saturations.torque);
+        }
     }
 }

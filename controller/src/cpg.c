@@ -1,6 +1,6 @@
 #include <twiddle/cpg.h>
 
-#include <twiddle/elementary.h>
+#include <twiddle/phase.h>
 
 #include "checks.h"
 

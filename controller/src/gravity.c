@@ -1,41 +1,35 @@
 #include <twiddle/gravity.h>
 
-#include <twiddle/elementary.h>
+#include <twiddle/phase.h>
 
 #include "checks.h"
 
-/* Into a joint's turned frame, from its parent's: Rz(-q) R^T v. */
-static void to_link(const struct twd_gravity_joint *joint, twd_num sine, twd_num cosine, const twd_num v[3],
-                    twd_num out[3])
+static twd_num dot(const twd_num a[3], const twd_num b[3])
 {
-    twd_num unturned[3];
-    for (int column = 0; column < 3; column++)
-        unturned[column] = twd_mul(joint->rotation[0][column], v[0]) + twd_mul(joint->rotation[1][column], v[1]) +
-                           twd_mul(joint->rotation[2][column], v[2]);
-    out[0] = twd_mul(cosine, unturned[0]) + twd_mul(sine, unturned[1]);
-    out[1] = twd_mul(cosine, unturned[1]) - twd_mul(sine, unturned[0]);
-    out[2] = unturned[2];
+    return twd_mul(a[0], b[0]) + twd_mul(a[1], b[1]) + twd_mul(a[2], b[2]);
 }
 
-/* Out of a joint's turned frame, into its parent's: R Rz(q) v. */
-static void to_parent(const struct twd_gravity_joint *joint, twd_num sine, twd_num cosine, const twd_num v[3],
-                      twd_num out[3])
+/* R v, out of a joint's frame at angle 0 into its parent's. */
+static void to_parent(const twd_num rotation[3][3], const twd_num v[3], twd_num out[3])
 {
-    const twd_num turned[3] = {twd_mul(cosine, v[0]) - twd_mul(sine, v[1]), twd_mul(sine, v[0]) + twd_mul(cosine, v[1]),
-                               v[2]};
     for (int row = 0; row < 3; row++)
-        out[row] = twd_mul(joint->rotation[row][0], turned[0]) + twd_mul(joint->rotation[row][1], turned[1]) +
-                   twd_mul(joint->rotation[row][2], turned[2]);
+        out[row] = dot(rotation[row], v);
 }
 
-/* Add to the parent's weight times centre of mass that of a body in the frame of `joint`. */
-static void add_to_parent(const struct twd_gravity_joint *joint, twd_num sine, twd_num cosine, twd_num weight_n,
-                          const twd_num moment_nm[3], twd_num parent_moment_nm[3])
+/* R^T v, out of a parent's frame into a joint's at angle 0. */
+static void from_parent(const twd_num rotation[3][3], const twd_num v[3], twd_num out[3])
 {
-    twd_num turned[3];
-    to_parent(joint, sine, cosine, moment_nm, turned);
-    for (int axis = 0; axis < 3; axis++)
-        parent_moment_nm[axis] += turned[axis] + twd_mul(weight_n, joint->origin_m[axis]);
+    for (int column = 0; column < 3; column++)
+        out[column] = twd_mul(rotation[0][column], v[0]) + twd_mul(rotation[1][column], v[1]) +
+                      twd_mul(rotation[2][column], v[2]);
+}
+
+/* Turn v about z by the angle of this sine and cosine. */
+static void turn(twd_num sine, twd_num cosine, const twd_num v[3], twd_num out[3])
+{
+    out[0] = twd_mul(cosine, v[0]) - twd_mul(sine, v[1]);
+    out[1] = twd_mul(sine, v[0]) + twd_mul(cosine, v[1]);
+    out[2] = v[2];
 }
 
 static enum twd_error check_chain(const struct twd_chain *chain)
@@ -67,17 +61,54 @@ static enum twd_error check_gravity(const twd_num *held_angle_rad, uint8_t held,
     return TWD_OK;
 }
 
+/* The link on its own, as if nothing were beyond it. */
 static struct twd_gravity_joint weigh(const struct twd_chain_joint *joint, twd_num acceleration_m_s2)
 {
+    const twd_num weight_n = twd_mul(joint->mass_kg, acceleration_m_s2);
     struct twd_gravity_joint weighed;
-    weighed.weight_n = twd_mul(joint->mass_kg, acceleration_m_s2);
     for (int axis = 0; axis < 3; axis++) {
-        weighed.origin_m[axis] = joint->origin_m[axis];
-        weighed.moment_nm[axis] = twd_mul(weighed.weight_n, joint->centre_of_mass_m[axis]);
+        weighed.moment_nm[axis] = twd_mul(weight_n, joint->centre_of_mass_m[axis]);
         for (int column = 0; column < 3; column++)
             weighed.rotation[axis][column] = joint->rotation[axis][column];
     }
     return weighed;
+}
+
+/* Add the moment of a link held at `angle_rad` to its parent's. */
+static void merge(const struct twd_gravity_joint *held, twd_num angle_rad, twd_num parent_moment_nm[3])
+{
+    twd_num sine, cosine, turned_nm[3], moment_nm[3];
+    twd_sine_cosine(twd_phase_from_angle(angle_rad), &sine, &cosine);
+    turn(sine, cosine, held->moment_nm, turned_nm);
+    to_parent(held->rotation, turned_nm, moment_nm);
+    for (int axis = 0; axis < 3; axis++)
+        parent_moment_nm[axis] += moment_nm[axis];
+}
+
+/* v in a frame that turns by q about z, as a sum: part[0] + cos(q) part[1] + sin(q) part[2]. */
+static void split_by_angle(const twd_num v[3], twd_num part[3][3])
+{
+    const twd_num parts[3][3] = {{TWD_NUM(0), TWD_NUM(0), v[2]}, {v[0], v[1], TWD_NUM(0)}, {v[1], -v[0], TWD_NUM(0)}};
+    for (int i = 0; i < 3; i++)
+        for (int axis = 0; axis < 3; axis++)
+            part[i][axis] = parts[i][axis];
+}
+
+/* The energy of a link is minus its moment along gravity's direction, and the direction is split by both angles. */
+static void find_pair_energy(struct twd_gravity *gravity)
+{
+    const struct twd_gravity_joint *const first = &gravity->joint[0];
+    const struct twd_gravity_joint *const second = &gravity->joint[1];
+    twd_num in_first[3][3];
+    split_by_angle(gravity->direction, in_first);
+    for (int i = 0; i < 3; i++) {
+        twd_num direction[3], in_second[3][3];
+        from_parent(second->rotation, in_first[i], direction);
+        split_by_angle(direction, in_second);
+        for (int j = 0; j < 3; j++)
+            gravity->pair_energy_j[i][j] = -dot(second->moment_nm, in_second[j]);
+        gravity->pair_energy_j[i][0] -= dot(first->moment_nm, in_first[i]);
+    }
 }
 
 enum twd_error twd_gravity_init(struct twd_gravity *gravity, const struct twd_chain *chain, uint8_t moving,
@@ -91,46 +122,77 @@ enum twd_error twd_gravity_init(struct twd_gravity *gravity, const struct twd_ch
     if (error != TWD_OK) return error;
 
     gravity->moving = moving;
-    for (int axis = 0; axis < 3; axis++)
-        gravity->direction[axis] = direction[axis];
+    from_parent(chain->joint[0].rotation, direction, gravity->direction);
     for (uint8_t i = 0; i < chain->joints; i++)
         gravity->joint[i] = weigh(&chain->joint[i], acceleration_m_s2);
 
-    /* From the tip inwards, each held link becomes part of its parent. */
-    for (uint8_t i = chain->joints; i-- > moving;) {
-        const struct twd_gravity_joint *const held = &gravity->joint[i];
-        struct twd_gravity_joint *const parent = &gravity->joint[i - 1];
-        const twd_phase angle = twd_phase_from_angle(held_angle_rad[i - moving]);
-        add_to_parent(held, twd_sin(angle), twd_cos(angle), held->weight_n, held->moment_nm, parent->moment_nm);
-        parent->weight_n += held->weight_n;
+    /* From the tip inwards, each link hangs its weight and all beyond it on its parent; a held one is merged whole. */
+    twd_num weight_n = TWD_NUM(0);
+    for (uint8_t i = chain->joints; i-- > 1;) {
+        twd_num *const parent_moment_nm = gravity->joint[i - 1].moment_nm;
+        weight_n += twd_mul(chain->joint[i].mass_kg, acceleration_m_s2);
+        for (int axis = 0; axis < 3; axis++)
+            parent_moment_nm[axis] += twd_mul(weight_n, chain->joint[i].origin_m[axis]);
+        if (i >= moving) merge(&gravity->joint[i], held_angle_rad[i - moving], parent_moment_nm);
     }
+    if (moving == 2) find_pair_energy(gravity);
     return TWD_OK;
+}
+
+/* The slopes of the pair's energy: cos' = -sin, sin' = cos. */
+static void pair_torque(const twd_num energy_j[3][3], const twd_num angle_rad[2], twd_num torque_nm[2])
+{
+    twd_num sine[2], cosine[2];
+    twd_sine_cosine(twd_phase_from_angle(angle_rad[0]), &sine[0], &cosine[0]);
+    twd_sine_cosine(twd_phase_from_angle(angle_rad[1]), &sine[1], &cosine[1]);
+
+    const twd_num of_first_cosine =
+        energy_j[1][0] + twd_mul(energy_j[1][1], cosine[1]) + twd_mul(energy_j[1][2], sine[1]);
+    const twd_num of_first_sine =
+        energy_j[2][0] + twd_mul(energy_j[2][1], cosine[1]) + twd_mul(energy_j[2][2], sine[1]);
+    torque_nm[0] = twd_mul(of_first_sine, cosine[0]) - twd_mul(of_first_cosine, sine[0]);
+
+    const twd_num of_second_cosine =
+        energy_j[0][1] + twd_mul(energy_j[1][1], cosine[0]) + twd_mul(energy_j[2][1], sine[0]);
+    const twd_num of_second_sine =
+        energy_j[0][2] + twd_mul(energy_j[1][2], cosine[0]) + twd_mul(energy_j[2][2], sine[0]);
+    torque_nm[1] = twd_mul(of_second_sine, cosine[1]) - twd_mul(of_second_cosine, sine[1]);
+}
+
+/* Gravity's direction is handed from link to link outwards, then the moments of the links inwards. */
+static void chain_torque(const struct twd_gravity *gravity, const twd_num *angle_rad, twd_num *torque_nm)
+{
+    twd_num sine[TWD_MAX_CHAIN_JOINTS];
+    twd_num cosine[TWD_MAX_CHAIN_JOINTS];
+    for (uint8_t i = 0; i < gravity->moving; i++)
+        twd_sine_cosine(twd_phase_from_angle(angle_rad[i]), &sine[i], &cosine[i]);
+
+    twd_num direction[TWD_MAX_CHAIN_JOINTS][3]; /* of gravity, in each joint's frame at angle 0 */
+    for (int axis = 0; axis < 3; axis++)
+        direction[0][axis] = gravity->direction[axis];
+    for (uint8_t i = 1; i < gravity->moving; i++) {
+        twd_num in_parent[3];
+        turn(-sine[i - 1], cosine[i - 1], direction[i - 1], in_parent);
+        from_parent(gravity->joint[i].rotation, in_parent, direction[i]);
+    }
+
+    twd_num beyond_nm[3] = {TWD_NUM(0), TWD_NUM(0), TWD_NUM(0)}; /* moment of the links beyond link i, in its frame */
+    for (uint8_t i = gravity->moving; i-- > 0;) {
+        const struct twd_gravity_joint *const joint = &gravity->joint[i];
+        const twd_num sum_nm[3] = {joint->moment_nm[0] + beyond_nm[0], joint->moment_nm[1] + beyond_nm[1],
+                                   joint->moment_nm[2] + beyond_nm[2]};
+        twd_num moment_nm[3]; /* the sum, in the joint's frame at angle 0 */
+        turn(sine[i], cosine[i], sum_nm, moment_nm);
+        /* The weight turns the joint by (moment x direction) about z; holding takes the opposite. */
+        torque_nm[i] = twd_mul(moment_nm[1], direction[i][0]) - twd_mul(moment_nm[0], direction[i][1]);
+        to_parent(joint->rotation, moment_nm, beyond_nm);
+    }
 }
 
 void twd_gravity_torque(const struct twd_gravity *gravity, const twd_num *angle_rad, twd_num *torque_nm)
 {
-    twd_num sine[TWD_MAX_CHAIN_JOINTS];
-    twd_num cosine[TWD_MAX_CHAIN_JOINTS];
-    twd_num direction[TWD_MAX_CHAIN_JOINTS][3]; /* of gravity, in each link's frame */
-
-    for (uint8_t i = 0; i < gravity->moving; i++) {
-        const twd_phase angle = twd_phase_from_angle(angle_rad[i]);
-        sine[i] = twd_sin(angle);
-        cosine[i] = twd_cos(angle);
-        to_link(&gravity->joint[i], sine[i], cosine[i], i == 0 ? gravity->direction : direction[i - 1], direction[i]);
-    }
-
-    twd_num moment_nm[3] = {TWD_NUM(0), TWD_NUM(0), TWD_NUM(0)}; /* of link i and all beyond it, in its frame */
-    twd_num weight_n = TWD_NUM(0);                               /* of the same */
-    for (uint8_t i = gravity->moving; i-- > 0;) {
-        twd_num sum_nm[3] = {gravity->joint[i].moment_nm[0], gravity->joint[i].moment_nm[1],
-                             gravity->joint[i].moment_nm[2]};
-        if (i + 1 < gravity->moving)
-            add_to_parent(&gravity->joint[i + 1], sine[i + 1], cosine[i + 1], weight_n, moment_nm, sum_nm);
-        for (int axis = 0; axis < 3; axis++)
-            moment_nm[axis] = sum_nm[axis];
-        weight_n += gravity->joint[i].weight_n;
-        /* The weight turns the joint by (moment x direction) about z; holding takes the opposite. */
-        torque_nm[i] = twd_mul(moment_nm[1], direction[i][0]) - twd_mul(moment_nm[0], direction[i][1]);
-    }
+    if (gravity->moving == 2)
+        pair_torque(gravity->pair_energy_j, angle_rad, torque_nm);
+    else
+        chain_torque(gravity, angle_rad, torque_nm);
 }

@@ -1,7 +1,7 @@
 #include <twiddle/model.h>
 
-#include <twiddle/elementary.h>
 #include <twiddle/gate.h>
+#include <twiddle/phase.h>
 
 static size_t topology_parameters(const struct twd_topology *topology, bool with_centre)
 {

@@ -1,6 +1,6 @@
 #include <twiddle/oscillator.h>
 
-#include <twiddle/elementary.h>
+#include <twiddle/phase.h>
 
 twd_num twd_oscillator_output_with_centre(const struct twd_oscillator *oscillator)
 {

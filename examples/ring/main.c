@@ -3,7 +3,7 @@
  * The network is the const table below; twiddle's sources know nothing of it. Prints 3 s of the six outputs, fractions
  * of each leg's range, as CSV. */
 #include <twiddle/cpg.h>
-#include <twiddle/elementary.h>
+#include <twiddle/phase.h>
 
 #include <stdio.h>
 

@@ -30,7 +30,14 @@ struct twd_filter {
 struct twd_filter_step twd_filter_step_make(twd_num rate_per_s, twd_num tick_s);
 
 /* Advance `filter` by one tick towards `target`. */
-void twd_filter_advance(struct twd_filter *filter, const struct twd_filter_step *step, twd_num target);
+static inline void twd_filter_advance(struct twd_filter *filter, const struct twd_filter_step *step, twd_num target)
+{
+    const twd_num error = filter->value - target;
+    const twd_num velocity = filter->velocity;
+
+    filter->value = target + twd_mul(step->error_from_error, error) + twd_mul(step->error_from_velocity, velocity);
+    filter->velocity = twd_mul(step->velocity_from_error, error) + twd_mul(step->velocity_from_velocity, velocity);
+}
 
 #ifdef __cplusplus
 }

@@ -27,19 +27,20 @@ struct twd_chain {
     const struct twd_chain_joint *joint; /* [joints], from the palm outwards */
 };
 
-/* One moving joint, ready for the tick. */
+/* One moving joint and its link, ready for the tick. */
 struct twd_gravity_joint {
     twd_num rotation[3][3]; /* as in the table */
-    twd_num origin_m[3];    /* as in the table, m */
-    twd_num weight_n;       /* of the link and all that is merged into it, N */
-    twd_num moment_nm[3];   /* weight times centre of mass, in the link's frame, N m */
+    twd_num moment_nm[3];   /* weight times centre of mass, in the link's frame, N m; all links beyond it counted as
+                               lying in the next joint's origin */
 };
 
 /* A finger whose first `moving` joints move. */
 struct twd_gravity {
-    uint8_t moving;                                       /* 1..joints of the chain */
-    twd_num direction[3];                                 /* unit vector of gravity in the palm frame */
+    uint8_t moving;       /* 1..joints of the chain */
+    twd_num direction[3]; /* unit vector of gravity in the first joint's frame at angle 0 */
     struct twd_gravity_joint joint[TWD_MAX_CHAIN_JOINTS]; /* [moving] */
+    twd_num pair_energy_j[3][3]; /* if two joints move: the finger's potential energy in J is the sum of these, times 1,
+                                    cos or sin of the first angle (rows) and of the second (columns) */
 };
 
 /* Prepare `gravity` for `chain`: its first `moving` joints move, the others stay at `held_angle_rad` ([joints -

@@ -48,9 +48,8 @@ static inline twd_num twd_ratio(int32_t part, int32_t whole)
 /* The nearest value to `value` in [lower, upper]; a value that is not a number becomes `lower`. */
 static inline twd_num twd_clamp(twd_num value, twd_num lower, twd_num upper)
 {
-    if (!(value > lower)) return lower;
-    if (value > upper) return upper;
-    return value;
+    const twd_num raised = value > lower ? value : lower;
+    return raised < upper ? raised : upper;
 }
 
 /* Whether `value` lies in [lower, upper]; false if it is not a number. */

@@ -5,6 +5,7 @@
 #ifndef TWIDDLE_PD_H
 #define TWIDDLE_PD_H
 
+#include <twiddle/error.h>
 #include <twiddle/number.h>
 
 #ifdef __cplusplus
@@ -19,8 +20,30 @@ struct twd_pd {
 };
 
 /* The torque in N m before the limit is applied. */
-twd_num twd_pd_torque(const struct twd_pd *pd, twd_num desired_rad, twd_num actual_rad, twd_num velocity_rad_s,
-                      twd_num gravity_nm);
+static inline twd_num twd_pd_torque(const struct twd_pd *pd, twd_num desired_rad, twd_num actual_rad,
+                                    twd_num velocity_rad_s, twd_num gravity_nm)
+{
+    return gravity_nm + twd_mul(pd->stiffness_nm_per_rad, desired_rad - actual_rad) -
+           twd_mul(pd->damping_nms_per_rad, velocity_rad_s);
+}
+
+/* Gains with which the law stays stable at long periods: `stable` gives the torque that `pd` would ask for in the state
+ * predicted at the end of the period h = `period_s`, in (0, 0.1] s, of a joint with the effective inertia M =
+ * `inertia_kg_m2`, > 0. After Tan, Liu and Turk 2011, "Stable proportional-derivative controllers".
+ *
+ * An acceleration a that lasts for h leads to the angle q + h v + h^2 a and the velocity v + h a. A joint whose weight
+ * is compensated, and whose coupling to other joints is ignored, then has
+ *
+ *     M a = Kp (desired - q - h v - h^2 a) - Kd (v + h a).
+ *
+ * Solved for M a, this is a PD law again, with the gains Kp / D and (Kd + h Kp) / D, D = 1 + h (Kd + h Kp) / M. For h
+ * to 0 they are those of `pd`. (The paper predicts the angle q + h v, and so has no h^2 Kp in D.) A joint stepped by
+ * semi-implicit Euler is stable at any h if its true inertia is at least 3/4 of M. The prediction knows no contact: a
+ * joint that is stopped by one presses with Kp / D. The torque limit stays.
+ *
+ * TWD_ERROR_TICK for the period; TWD_ERROR_RANGE for gains or an inertia out of range, or a D above 1e6; `stable` is
+ * then as it was. `stable` may be `pd` itself. */
+enum twd_error twd_pd_stable(const struct twd_pd *pd, twd_num inertia_kg_m2, twd_num period_s, struct twd_pd *stable);
 
 #ifdef __cplusplus
 }
