@@ -79,14 +79,19 @@ Holds ConstraintSearch::judge(const std::array<FingerState, 2> &state, const Vel
     Holds next;
     next.hinge = hinge_.judge(holds.hinge, free.object + push.object, found.object);
     for (int f = 0; f < 2; f++) {
+        // A joint that was held moves exactly as its stop lets it, and cannot be said to pass it.
+        HeldJoints passed = stops_[f].passed(state[f].angle_rad, state[f].mass.velocity(found.finger[f]));
         HeldJoints held = holds.finger[f];
+        for (int j = 0; j < 2; j++) {
+            if (held[j] != Stop::none) passed[j] = Stop::none;
+        }
         if (any_held(held)) {
             FingerVector by_stops;
             for (int j = 0; j < 2; j++)
                 by_stops[j] = found.finger[f][j] - free.finger[f][j] - push.finger[f][j];
             held = JointStops::pushing(held, state[f].mass.impulse(by_stops));
         }
-        next.finger[f] = united(held, stops_[f].passed(state[f].angle_rad, state[f].mass.velocity(found.finger[f])));
+        next.finger[f] = united(held, passed);
     }
     return next;
 }

@@ -15,7 +15,7 @@ constexpr double reserve_m = 0.001;
 // Contacts of a finger nearer to each other than this are one: neighbouring capsules share an end sphere.
 constexpr double same_place_m = 1e-4;
 
-constexpr int most_capsules = 8; // of one joint, for the contacts' names
+constexpr int most_capsules = 8; // of one joint
 
 // A vector or a frame, seen from axes turned by `angle` about z.
 btVector3 turned_back(const SineCosine &angle, const btVector3 &v)
@@ -38,20 +38,29 @@ std::array<btVector3, 2> tangents(const btVector3 &normal)
     return {level, normal.cross(level)};
 }
 
+bool has_contact_at(const Contacts &contacts, int finger, const btVector3 &p_axis_m)
+{
+    for (const Contact &contact : contacts) {
+        if (contact.finger == finger && (contact.p_axis_m - p_axis_m).length2() < same_place_m * same_place_m)
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 struct ContactFinder::Scene {
     int finger;
-    const FingerKinematics &kinematics;
     const FingerState &state;
     const Velocities &free;
-    std::array<Frame, 2> frame; // of the joints; in the object's frame once it is known that the finger is near
+    std::array<Frame, 2> frame; // of the joints, in the object's frame
 };
 
 ContactFinder::ContactFinder(const std::array<FingerKinematics, 2> &fingers, const ObjectBody &object,
                              double breaking_threshold_m, double error_reduction, double substep_s)
     : fingers_(fingers), core_(rounded_core(object)), whitening_(std::sqrt(object.inertia_kg_m2)),
-      breaking_threshold_m_(breaking_threshold_m), error_reduction_(error_reduction), substep_s_(substep_s)
+      inverse_whitening_(1 / whitening_), breaking_threshold_m_(breaking_threshold_m),
+      error_reduction_(error_reduction), substep_s_(substep_s)
 {
 }
 
@@ -60,50 +69,45 @@ void ContactFinder::find(const std::array<FingerState, 2> &state, double object_
 {
     contacts.clear();
     for (int f = 0; f < 2; f++) {
-        Scene scene{f, fingers_[f], state[f], free, fingers_[f].frames(state[f].angle)};
-        find_of_finger(scene, object_rad, contacts);
+        const FingerKinematics &finger = fingers_[f];
+        std::array<bool, 2> near;
+        for (int joint = 0; joint < 2; joint++) {
+            const PolarPlace centre = finger.centre(joint, state[f].angle);
+            near[joint] = may_touch(core_, centre.square_across_m2, centre.height_m,
+                                    finger.carried(joint).radius_m + breaking_threshold_m_);
+        }
+        if (!near[0] && !near[1]) continue;
+        Scene scene{f, state[f], free, finger.frames(state[f].angle)};
+        // Sphere and cylinder look the same however they are turned.
+        if (core_.shape == Shape::cube) {
+            const SineCosine angle = sine_cosine(object_rad);
+            for (Frame &frame : scene.frame)
+                frame = turned_back(angle, frame);
+        }
+        for (int joint = 0; joint < 2; joint++) {
+            if (near[joint]) find_of_joint(scene, joint, contacts);
+        }
     }
 }
 
-void ContactFinder::find_of_finger(Scene &scene, double object_rad, Contacts &contacts) const
+void ContactFinder::find_of_joint(const Scene &scene, int joint, Contacts &contacts) const
 {
-    std::array<bool, 2> near;
-    for (int joint = 0; joint < 2; joint++) {
-        const CarriedCapsules &carried = scene.kinematics.carried(joint);
-        near[joint] =
-            may_touch(core_, scene.frame[joint].point(carried.centre_m), carried.radius_m + breaking_threshold_m_);
-    }
-    if (!near[0] && !near[1]) return;
-    // Sphere and cylinder look the same however they are turned.
-    if (core_.shape == Shape::cube) {
-        const SineCosine angle = sine_cosine(object_rad);
-        for (Frame &frame : scene.frame)
-            frame = turned_back(angle, frame);
-    }
-    for (int joint = 0; joint < 2; joint++) {
-        if (!near[joint]) continue;
-        for (int capsule = 0; capsule < static_cast<int>(scene.kinematics.carried(joint).capsules.size()); capsule++)
-            find(scene, joint, capsule, contacts);
-    }
-}
-
-void ContactFinder::find(const Scene &scene, int joint, int capsule, Contacts &contacts) const
-{
-    const LinkCapsule &link = scene.kinematics.carried(joint).capsules[capsule];
-    const btVector3 start_m = scene.frame[joint].point(link.start_m);
-    const btVector3 end_m = scene.frame[joint].point(link.end_m);
-    SegmentContacts places;
-    find_segment_contacts(core_, start_m, end_m, link.radius_m + breaking_threshold_m_, places);
-    for (int i = 0; i < places.count; i++) {
-        const SegmentContact &place = places.contact[i];
-        const btVector3 p_axis_m = start_m + place.share * (end_m - start_m);
-        bool known = false;
-        for (const Contact &other : contacts)
-            known = known || (other.finger == scene.finger &&
-                              (other.p_axis_m - p_axis_m).length2() < same_place_m * same_place_m);
-        if (known || contacts.full()) continue;
-        add_contact(scene, joint, p_axis_m, place, link.radius_m,
-                    (joint * most_capsules + capsule) * contact_features + place.feature, contacts);
+    const CarriedCapsules &carried = fingers_[scene.finger].carried(joint);
+    std::array<btVector3, most_capsules + 1> p_m;
+    for (std::size_t i = 0; i < carried.points_m.size(); i++)
+        p_m[i] = scene.frame[joint].point(carried.points_m[i]);
+    for (std::size_t capsule = 0; capsule < carried.capsules.size(); capsule++) {
+        const LinkCapsule &link = carried.capsules[capsule];
+        const btVector3 &start_m = p_m[link.start], &end_m = p_m[link.end];
+        SegmentContacts places;
+        find_segment_contacts(core_, start_m, end_m, link.radius_m + breaking_threshold_m_, places);
+        for (int i = 0; i < places.count; i++) {
+            const SegmentContact &place = places.contact[i];
+            const btVector3 p_axis_m = start_m + place.share * (end_m - start_m);
+            if (contacts.full() || has_contact_at(contacts, scene.finger, p_axis_m)) continue;
+            const int feature = (joint * most_capsules + static_cast<int>(capsule)) * contact_features + place.feature;
+            add_contact(scene, joint, p_axis_m, place, link.radius_m, feature, contacts);
+        }
     }
 }
 
@@ -122,7 +126,7 @@ void ContactFinder::add_contact(const Scene &scene, int joint, const btVector3 &
     contact.distance_m = place.distance_m - radius_m;
     const auto set_row = [&](int i, const btVector3 &direction) {
         contact.finger_row[i] = scene.state.mass.whitened({direction.dot(by_first), direction.dot(by_second)});
-        contact.object_row[i] = -direction.dot(by_hinge) / whitening_;
+        contact.object_row[i] = -direction.dot(by_hinge) * inverse_whitening_;
     };
     set_row(0, place.normal);
     const FingerVector &free = scene.free.finger[scene.finger];

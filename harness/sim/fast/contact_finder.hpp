@@ -31,14 +31,14 @@ class ContactFinder
   private:
     // What one finger's contacts have in common.
     struct Scene;
-    void find_of_finger(Scene &scene, double object_rad, Contacts &contacts) const;
-    void find(const Scene &scene, int joint, int capsule, Contacts &contacts) const;
+    void find_of_joint(const Scene &scene, int joint, Contacts &contacts) const;
     void add_contact(const Scene &scene, int joint, const btVector3 &p_axis_m, const SegmentContact &place,
                      double radius_m, int feature, Contacts &contacts) const;
 
     std::array<FingerKinematics, 2> fingers_;
     RoundedCore core_;
     double whitening_;
+    double inverse_whitening_;
     double breaking_threshold_m_;
     double error_reduction_;
     double substep_s_;

@@ -32,18 +32,25 @@ struct Frame {
     }
 };
 
-// A link's capsule, in the frame of the joint that carries it.
+// A link's capsule, between two of the points that its joint carries.
 struct LinkCapsule {
-    btVector3 start_m;
-    btVector3 end_m;
+    int start = 0;
+    int end = 0;
     double radius_m = 0;
 };
 
-// All that one joint carries rigidly, and a sphere around it (capsule radii included).
+// All that one joint carries rigidly, in the joint's frame, and a ball around it (capsule radii included).
 struct CarriedCapsules {
+    std::vector<btVector3> points_m;
     std::vector<LinkCapsule> capsules;
     btVector3 centre_m;
     double radius_m = 0;
+};
+
+// A point as the object's bounding volume sees it.
+struct PolarPlace {
+    double square_across_m2 = 0; // of the distance from the hinge's axis
+    double height_m = 0;         // along it
 };
 
 class FingerKinematics
@@ -61,10 +68,18 @@ class FingerKinematics
         return carried_[joint];
     }
 
+    // Where the centre of carried(joint) is, for much less than frames() costs.
+    PolarPlace centre(int joint, const std::array<SineCosine, 2> &angle) const;
+
   private:
     Frame first_;  // at angle 0
     Frame second_; // in the first joint's frame, at angle 0
     std::array<CarriedCapsules, 2> carried_;
+    // In the first joint's frame: the centre as a sum [constant, times cosine, times sine of the second angle] for both
+    // joints. In the same frame at angle 0: the object's centre and its hinge's direction.
+    std::array<std::array<btVector3, 3>, 2> centre_part_m_;
+    btVector3 p_first_object_m_;
+    btVector3 hinge_direction_;
 };
 
 } // namespace twiddle::sim

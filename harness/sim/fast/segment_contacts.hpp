@@ -62,14 +62,18 @@ struct SegmentContacts {
 void find_segment_contacts(const RoundedCore &core, const btVector3 &start_m, const btVector3 &end_m, double reach_m,
                            SegmentContacts &contacts);
 
-// Whether a ball may touch the object: whether it touches the upright cylinder around it. Never false for a ball that
-// does touch.
-inline bool may_touch(const RoundedCore &core, const btVector3 &centre_m, double radius_m)
+// Whether a ball may touch the object, its centre at `height_m` along the hinge and at the square root of `square_across_m2` from
+// it: whether it touches the upright cylinder around the object. Never false for a ball that does touch.
+inline bool may_touch(const RoundedCore &core, double square_across_m2, double height_m, double radius_m)
 {
     const double across_m = core.bounding_radius_m + radius_m;
     const double along_m = core.half_height_m + core.rounding_m + radius_m;
-    const double square_m2 = centre_m.x() * centre_m.x() + centre_m.y() * centre_m.y();
-    return centre_m.z() <= along_m && -centre_m.z() <= along_m && square_m2 <= across_m * across_m;
+    return height_m <= along_m && -height_m <= along_m && square_across_m2 <= across_m * across_m;
+}
+
+inline bool may_touch(const RoundedCore &core, const btVector3 &centre_m, double radius_m)
+{
+    return may_touch(core, centre_m.x() * centre_m.x() + centre_m.y() * centre_m.y(), centre_m.z(), radius_m);
 }
 
 } // namespace twiddle::sim
