@@ -7,10 +7,11 @@ TWIDDLE := $(BUILD)/bin/twiddle
 # Variables to set on the command line, e.g. `make plots RUN=results/demo`.
 RUN ?= results/demo
 JOBS ?= 2
+PEERS_SETS ?= 200
 PREFIX ?= /usr/local
 
 .DEFAULT_GOAL := help
-.PHONY: help run test bench plots first-figures hand-tables
+.PHONY: help run test bench bench-peers plots first-figures hand-tables
 .PHONY: deps build sanitize format lint lint-format lint-tidy install clean gnuplot
 
 help: ## print this list
@@ -30,7 +31,20 @@ test: build ## run all tests
 	ctest --preset host --parallel $$(nproc)
 
 bench: build ## measure the speed of the full loop and of the controller's tick
-	@set -e; for bench in $(BUILD)/bin/bench_*; do $$bench; done
+	$(BUILD)/bin/bench_control
+
+PEERS := bench/peers
+PEERS_VENV := build/peers-venv
+
+bench-peers: build $(PEERS_VENV)/installed ## compare speed and accuracy with MuJoCo from PyPI: make bench-peers PEERS_SETS=200
+	$(PEERS_VENV)/bin/python -B $(PEERS)/bench_peers.py --program $(BUILD)/bin/bench_rollouts --models models \
+	    --sets $(PEERS_SETS) --out build/bench/peers.csv
+
+$(PEERS_VENV)/installed: $(PEERS)/requirements.txt | deps
+	@python3 -m venv --clear $(PEERS_VENV)
+	@$(PEERS_VENV)/bin/pip install -qqq --disable-pip-version-check --retries 1 --requirement $< || \
+	{ echo "make: pip could not install MuJoCo from PyPI, which bench-peers compares with; is PyPI reachable?" >&2; exit 1; }
+	@touch $@
 
 plots: ## draw one run again: make plots RUN=results/demo
 	plots/draw-run $(RUN)

@@ -15,6 +15,15 @@ constexpr double least_share = 1e-12;
 constexpr int most_steps = 60;
 constexpr double tolerance = 1e-10;
 
+// The next multiplier where Newton's step leaves the bracket: 0 if that is not known to be too small (low < 0), else one between
+// them in magnitude, since a multiplier can have any.
+double between(double low, double high, double scale)
+{
+    if (low < 0) return 0;
+    if (high == std::numeric_limits<double>::infinity()) return 4 * low + scale;
+    return low > 0 ? std::sqrt(low * high) : high / 1000;
+}
+
 } // namespace
 
 CoulombContact::CoulombContact(const ContactMatrix &inverse_mass, double friction)
@@ -72,11 +81,7 @@ ContactVector CoulombContact::solve(const ContactVector &b, double &multiplier) 
         if (std::abs(excess) <= enough || (excess < 0 && multiplier == 0)) break;
         (excess > 0 ? low : high) = multiplier;
         double next = multiplier + newton_step(trial);
-        if (low < 0 && !(next > 0)) {
-            next = 0;
-        } else if (!(next > low && next < high)) {
-            next = high < std::numeric_limits<double>::infinity() ? (low + high) / 2 : 4 * low + schur_[0] + schur_[2];
-        }
+        if (!(next > std::max(low, 0.0) && next < high)) next = between(low, high, schur_[0] + schur_[2]);
         if (next == multiplier) break; // no number lies between
         multiplier = next;
         trial = try_multiplier(multiplier, normal_alone, c);

@@ -9,7 +9,7 @@ namespace twiddle::sim
 namespace
 {
 
-constexpr int most_sweeps = 100;
+constexpr int most_sweeps = 30;
 // Change of the whitened velocities in a sweep, sqrt(kg) m/s: about 1e-6 m/s of a fingertip.
 constexpr double settled = 1e-7;
 // A contact between things that are both held has no inverse mass, kg^-1; a finger's is about 100.

@@ -33,6 +33,16 @@ int place_of(const btVector3 &point_m, std::vector<btVector3> &points_m)
     return static_cast<int>(points_m.size()) - 1;
 }
 
+// Whether `capsule` goes on where `before` ends, in the same direction: the two are one longer capsule.
+bool goes_on(const LinkCapsule &before, const LinkCapsule &capsule, const std::vector<btVector3> &points_m)
+{
+    constexpr double parallel = 1e-9; // sine of the angle between them
+    if (before.end != capsule.start || before.radius_m != capsule.radius_m) return false;
+    const btVector3 first = points_m[before.end] - points_m[before.start];
+    const btVector3 second = points_m[capsule.end] - points_m[capsule.start];
+    return first.dot(second) > 0 && first.cross(second).length() < parallel * first.length() * second.length();
+}
+
 CarriedCapsules carried_by(const ArticulatedHand &hand, int body_link)
 {
     const btTransform X_joint_palm = joint_frame(hand, body_link).inverse();
@@ -40,9 +50,16 @@ CarriedCapsules carried_by(const ArticulatedHand &hand, int body_link)
     for (int link = 0; link < static_cast<int>(hand.links().size()); link++) {
         if (hand.links()[link].body_link != body_link) continue;
         const auto ends_m = hand.p_palm_capsule_m(link);
-        const int start = place_of(X_joint_palm * ends_m[0], carried.points_m);
-        carried.capsules.push_back(
-            {start, place_of(X_joint_palm * ends_m[1], carried.points_m), hand.capsule(link).radius_m});
+        LinkCapsule capsule;
+        capsule.start = place_of(X_joint_palm * ends_m[0], carried.points_m);
+        capsule.end = place_of(X_joint_palm * ends_m[1], carried.points_m);
+        capsule.radius_m = hand.capsule(link).radius_m;
+        if (!carried.capsules.empty() && goes_on(carried.capsules.back(), capsule, carried.points_m)) {
+            carried.points_m[carried.capsules.back().end] = carried.points_m[capsule.end];
+            carried.points_m.pop_back();
+        } else {
+            carried.capsules.push_back(capsule);
+        }
     }
     btVector3 lower = carried.points_m.front(), upper = lower;
     for (const btVector3 &point_m : carried.points_m) {

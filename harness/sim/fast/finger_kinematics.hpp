@@ -32,7 +32,7 @@ struct Frame {
     }
 };
 
-// A link's capsule, between two of the points that its joint carries.
+// The capsule of a link, or of several links in a straight line, between two of the points that their joint carries.
 struct LinkCapsule {
     int start = 0;
     int end = 0;

@@ -1,0 +1,33 @@
+"""Trials of the hand in MuJoCo: the desired angles of every control step in, rotations out."""
+
+import mujoco
+import numpy as np
+from mujoco.batch import Batch
+
+from mujoco_hand import HINGE
+
+
+class Trials:
+    """All trials on one object, stepped by MuJoCo's own batch on one thread: one Python call a control step of all."""
+
+    def __init__(self, model, desired_rad, substeps):
+        """`desired_rad` is trials x control steps x joints."""
+        self.desired_rad = np.ascontiguousarray(desired_rad.swapaxes(0, 1))
+        self.substeps = substeps
+        self.batch = Batch(model, nsim=desired_rad.shape[0], nthread=1)
+        self.hinge = model.joint(HINGE).qposadr[0]
+
+    def run(self):
+        """Rotations about palm +z at the end of each trial, in rad."""
+        self.batch.reset(stage=mujoco.mjtStage.mjSTAGE_NONE.value)
+        angle_rad, desired_rad = self.batch.bind("qpos"), self.batch.bind("ctrl")
+        for step in self.desired_rad:
+            desired_rad[:] = step
+            self.batch.step(nstep=self.substeps)
+        return angle_rad[:, self.hinge].copy()
+
+    def failures(self):
+        """Number of trials with each kind of MuJoCo's warnings (a state that is no number is one of them)."""
+        trials = np.count_nonzero(self.batch.warning[:, :, 1], axis=0)
+        kinds = [name.removeprefix("mjWARN_").lower() for name in mujoco.mjtWarning.__members__ if "mjWARN_" in name]
+        return {kind: int(count) for kind, count in zip(kinds, trials) if count}
