@@ -47,14 +47,14 @@ struct HandSetup {
     JointVector pd_inertia_kg_m2{}; // what the stable law takes each joint's effective inertia for
 };
 
-// [contact] and [physics]: Bullet's world.
+// [contact] and [physics]: what both steppers solve, and how closely the reference does.
 struct PhysicsSetup {
     double friction = 0;              // Coulomb coefficient between fingers and object
     bool index_thumb_contact = false; // whether the two fingers may touch each other
     double breaking_threshold_m = 0;  // contacts are made from this distance on
     int substeps = 0;                 // of one 10 ms control step
-    int solver_iterations = 0;        // at most
-    double solver_residual = 0;       // least-squares threshold at which iterations end
+    int solver_iterations = 0;        // of the reference stepper, at most
+    double solver_residual = 0;       // squared, at which the reference stepper's iterations end
     double error_reduction = 0;       // share of a penetration that is corrected in a substep
     double gravity_m_s2 = 0;
     std::array<double, 3> gravity_direction{}; // unit vector in the `hand` frame
