@@ -12,8 +12,9 @@ namespace
 constexpr int most_sweeps = 30;
 // Change of the whitened velocities in a sweep, sqrt(kg) m/s: about 1e-6 m/s of a fingertip.
 constexpr double settled = 1e-7;
-// A contact between things that are both held has no inverse mass, kg^-1; a finger's is about 100.
-constexpr double least_inverse_mass = 1e-9;
+// A contact between things that are both held has no inverse mass along its normal; nor has, for all purposes, one whose inverse mass
+// is this share of what it would be with nothing held.
+constexpr double least_share = 1e-6;
 
 } // namespace
 
@@ -46,13 +47,13 @@ inline double ContactSolver::Block::apply(const ContactVector &change_ns, Veloci
 double ContactSolver::Block::relax(Velocities &y) const
 {
     ContactVector b = velocity(y);
-    const ContactVector before = contact->impulse_ns;
+    const ContactVector before = contact->solution.impulse_ns;
     for (int i = 0; i < 3; i++) {
         const ContactVector &w = law.inverse_mass()[i];
         b[i] -= w[0] * before[0] + w[1] * before[1] + w[2] * before[2];
     }
-    const ContactVector after = law.solve(b, contact->multiplier);
-    contact->impulse_ns = after;
+    const ContactVector after = law.solve(b, contact->solution.multiplier);
+    contact->solution.impulse_ns = after;
     return apply({after[0] - before[0], after[1] - before[1], after[2] - before[2]}, y);
 }
 
@@ -70,11 +71,13 @@ void ContactSolver::make(Block &block, const Regime &regime) const
         }
     }
     block.made = true;
-    block.movable = w[0][0] > least_inverse_mass;
+    block.movable = w[0][0] > least_share * (contact.finger_row[0][0] * contact.finger_row[0][0] +
+                                             contact.finger_row[0][1] * contact.finger_row[0][1] +
+                                             contact.object_row[0] * contact.object_row[0]);
     if (block.movable) {
         block.law = CoulombContact(w, friction_);
     } else {
-        block.contact->impulse_ns = {};
+        block.contact->solution.impulse_ns = {};
     }
 }
 
@@ -85,9 +88,9 @@ void ContactSolver::solve(const Regime &regime, Contacts &contacts, Velocities &
         blocks_.add({});
         Block &block = blocks_.last();
         block.contact = &contact;
-        if (contact.impulse_ns[0] > 0) {
+        if (contact.solution.impulse_ns[0] > 0) {
             make(block, regime);
-            if (block.movable) block.apply(contact.impulse_ns, velocities); // the first guess
+            if (block.movable) block.apply(contact.solution.impulse_ns, velocities); // the first guess
         }
     }
     for (int sweep = 0; sweep < most_sweeps; sweep++) {

@@ -23,14 +23,19 @@ struct Velocities {
     double object = 0;                    // whitened: square root of the inertia times the angular velocity
 };
 
+// How a contact is, or may be, solved.
+struct ContactSolution {
+    ContactVector impulse_ns{};
+    double multiplier = 0; // of its law (coulomb_contact.hpp)
+};
+
 // One point of a finger on the object. Rows: normal (out of the object), two tangents.
 struct Contact {
     int finger = 0;
     std::array<FingerVector, 3> finger_row{}; // of the finger's whitened velocities
     ContactVector object_row{};               // of the object's whitened velocity
     double least_normal_m_s = 0;              // relative normal velocity that it must not fall below
-    ContactVector impulse_ns{};               // in: a first guess; out: the solution
-    double multiplier = 0;                    // of its law's solution (coulomb_contact.hpp); the same
+    ContactSolution solution;                 // in: a first guess
     int feature = 0;                          // names the place within the finger: capsule and point on it
     double distance_m = 0;                    // between the surfaces; negative for a penetration
     btVector3 p_axis_m;                       // of the capsule's centre line, in the object's frame

@@ -22,12 +22,11 @@ struct FingerModel {
     FingerKinematics kinematics;
 };
 
-// What a contact was solved by: the first guess of the next substep.
-struct Impulse {
+// How a contact was solved: the first guess of the next substep.
+struct RememberedContact {
     int finger = 0;
     int feature = 0;
-    ContactVector impulse_ns{};
-    double multiplier = 0;
+    ContactSolution solution;
 };
 
 [[noreturn]] void refuse(const std::string &what)
@@ -45,6 +44,12 @@ FingerModel finger_model(ArticulatedHand &hand, Joint first, Joint second, const
                          const btVector3 &p_palm_centre_m)
 {
     const int first_link = hand.controlled()[first], second_link = hand.controlled()[second];
+    const auto turns = [&hand](int link) {
+        return hand.body().getLink(link).m_jointType == btMultibodyLink::eRevolute;
+    };
+    if (!turns(first_link) || !turns(second_link))
+        refuse(std::string("a hand whose joint ") + joint_urdf_names[first] + " or " + joint_urdf_names[second] +
+               " does not turn");
     if (hand.body().getParent(first_link) != -1 || hand.body().getParent(second_link) != first_link)
         refuse(std::string("a hand whose joint ") + joint_urdf_names[second] + " does not hang on " +
                joint_urdf_names[first] + ", and that on the palm");
@@ -116,7 +121,7 @@ class FastWorld final : public World
 
     // What a substep works with.
     std::array<FingerState, 2> state_;
-    ShortList<Impulse, most_contacts> impulses_; // of the last substep
+    ShortList<RememberedContact, most_contacts> remembered_; // of the last substep
 };
 
 FastWorld::FastWorld(const HandModel &model, const ObjectSpec &spec, const Setup &setup)
@@ -182,15 +187,14 @@ Velocities FastWorld::free_velocities(const JointVector &torque_nm)
 
 void FastWorld::find_contacts(const Velocities &free)
 {
-    impulses_.clear();
+    remembered_.clear();
     for (const Contact &contact : contacts_)
-        impulses_.add({contact.finger, contact.feature, contact.impulse_ns, contact.multiplier});
+        remembered_.add({contact.finger, contact.feature, contact.solution});
     finder_.find(state_, object_rad_, free, contacts_);
     for (Contact &contact : contacts_) {
-        for (const Impulse &before : impulses_) {
-            if (before.finger != contact.finger || before.feature != contact.feature) continue;
-            contact.impulse_ns = before.impulse_ns;
-            contact.multiplier = before.multiplier;
+        for (const RememberedContact &before : remembered_) {
+            if (before.finger == contact.finger && before.feature == contact.feature)
+                contact.solution = before.solution;
         }
     }
 }
@@ -222,7 +226,8 @@ Observation FastWorld::observe() const
     seen.p_palm_thumb_tip_m = hand_.p_palm_tip_m(Finger::thumb);
     seen.object_rad = object_rotation_rad();
     for (const Contact &contact : contacts_) {
-        (contact.finger == 0 ? seen.index_contact_n : seen.thumb_contact_n) += contact.impulse_ns[0] / substep_s_;
+        (contact.finger == 0 ? seen.index_contact_n : seen.thumb_contact_n) +=
+            contact.solution.impulse_ns[0] / substep_s_;
         seen.deepest_m = std::max(seen.deepest_m, -contact.distance_m);
     }
     seen.finger_clearance_m = finger_clearance_m(hand_);

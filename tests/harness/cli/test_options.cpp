@@ -78,6 +78,24 @@ TEST(Options, malformed_set_up_file_is_named)
     EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+// What the fast stepper does not cover is refused before anything is written; the stepper that the sentence names does it.
+TEST(Options, what_the_fast_stepper_does_not_cover_is_left_to_the_reference)
+{
+    const ScratchFolder folder;
+    const std::string out = (folder.path() / "out").string();
+    const std::string train = "train --object small-sphere --model cpg-h --trials 1 --hand full --out " + out;
+    const Outcome refused = run_twiddle(train);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(is_one_complaint(refused.error)) << refused.error;
+    EXPECT_NE(refused.error.find("--stepper reference"), std::string::npos) << refused.error;
+    EXPECT_EQ(refused.output, "");
+    EXPECT_FALSE(std::filesystem::exists(out));
+
+    const Outcome taken = run_twiddle(train + " --stepper reference");
+    EXPECT_EQ(taken.status, 0) << taken.error;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "trials.csv"));
+}
+
 // info lists the models with the paper's parameter counts and the nine objects; --help and --version succeed.
 TEST(Options, info_and_help_succeed)
 {

@@ -1,6 +1,8 @@
 #include "contact_problems.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace twiddle::sim
 {
@@ -14,10 +16,22 @@ constexpr double least_inverse_mass = 1e-9; // 1/kg, as contact_solver.cpp has i
 // contact without friction (coulomb_contact.hpp).
 constexpr double cone_share = 2e-10;
 
+// Relative rounding error of the tangential impulse. Where two joints and a hinge, or what of them moves, cannot move a contact in
+// all directions, W is singular but for the share 1e-12 that coulomb_contact.cpp adds, and digits are lost in that ratio.
+double rounding_share(const ContactMatrix &w, double multiplier)
+{
+    const double a11 = w[1][1] - w[0][1] * w[0][1] / w[0][0], a12 = w[1][2] - w[0][1] * w[0][2] / w[0][0],
+                 a22 = w[2][2] - w[0][2] * w[0][2] / w[0][0];
+    const double trace = a11 + a22, smallest = std::max(a11 * a22 - a12 * a12, 0.0) / trace;
+    const double least = 1e-12 * std::max({w[0][0], w[1][1], w[2][2]});
+    return 4 * std::numeric_limits<double>::epsilon() * trace / (smallest + multiplier + least);
+}
+
 } // namespace
 
 ProblemSource::ProblemSource(unsigned seed)
-    : random_(seed), finger_{BulletFinger(default_setup(), Finger::index), BulletFinger(default_setup(), Finger::thumb)},
+    : random_(seed), finger_{BulletFinger(default_setup(), Finger::index),
+                             BulletFinger(default_setup(), Finger::thumb)},
       dynamics_{FingerDynamics(finger_[0].hand, finger_[0].link[0], finger_[0].link[1], finger_[0].gravity_m_s2),
                 FingerDynamics(finger_[1].hand, finger_[1].link[0], finger_[1].link[1], finger_[1].gravity_m_s2)},
       kinematics_{
@@ -101,8 +115,8 @@ ContactProblem ProblemSource::problem(Places places, int contacts, const std::ar
     return problem;
 }
 
-void ProblemSource::add_contact(ContactProblem &problem, int finger, int joint, std::size_t capsule,
-                                double share, const btVector3 &normal)
+void ProblemSource::add_contact(ContactProblem &problem, int finger, int joint, std::size_t capsule, double share,
+                                const btVector3 &normal)
 {
     const FingerState &state = problem.state[finger];
     const std::array<Frame, 2> frame = kinematics_[finger].frames(state.angle);
@@ -113,8 +127,7 @@ void ProblemSource::add_contact(ContactProblem &problem, int finger, int joint, 
     // A place on an object of 32 mm radius whose surface is not quite round.
     const btVector3 p_object_m = 0.032 * normal + uniform(0, 0.01) * random_direction();
     const btVector3 by_first = frame[0].z.cross(p_finger_m - frame[0].origin_m);
-    const btVector3 by_second =
-        joint == 0 ? btVector3(0, 0, 0) : frame[1].z.cross(p_finger_m - frame[1].origin_m);
+    const btVector3 by_second = joint == 0 ? btVector3(0, 0, 0) : frame[1].z.cross(p_finger_m - frame[1].origin_m);
     const btVector3 by_hinge = btVector3(0, 0, 1).cross(p_object_m);
 
     btVector3 across, along;
@@ -148,9 +161,9 @@ Velocities change_by(const Contacts &contacts, const Regime &regime)
     for (const Contact &contact : contacts) {
         for (int i = 0; i < 3; i++) {
             const FingerVector row = regime.finger[contact.finger].of(contact.finger_row[i]);
-            change.finger[contact.finger][0] += row[0] * contact.impulse_ns[i];
-            change.finger[contact.finger][1] += row[1] * contact.impulse_ns[i];
-            if (!regime.object_held) change.object += contact.object_row[i] * contact.impulse_ns[i];
+            change.finger[contact.finger][0] += row[0] * contact.solution.impulse_ns[i];
+            change.finger[contact.finger][1] += row[1] * contact.solution.impulse_ns[i];
+            if (!regime.object_held) change.object += contact.object_row[i] * contact.solution.impulse_ns[i];
         }
     }
     return change;
@@ -180,10 +193,17 @@ bool has_one_answer(const Contact &contact, const Regime &regime, double frictio
     return w[0][0] > friction * std::hypot(w[0][1], w[0][2]);
 }
 
+bool each_has_one_answer(const ContactProblem &problem, const Regime &regime)
+{
+    for (const Contact &contact : problem.contacts)
+        if (can_move(contact, regime) && !has_one_answer(contact, regime, problem.friction)) return false;
+    return true;
+}
+
 std::string broken_law(const Contact &contact, const Regime &regime, const Velocities &velocities, double friction,
                        double tolerance)
 {
-    const ContactVector &p = contact.impulse_ns;
+    const ContactVector &p = contact.solution.impulse_ns;
     if (!can_move(contact, regime)) return p == ContactVector{} ? "" : "an impulse on what cannot move";
     const ContactVector u = contact_velocity(contact, velocities);
     ContactVector off_m_s; // by how much u may be wrong
@@ -193,8 +213,9 @@ std::string broken_law(const Contact &contact, const Regime &regime, const Veloc
     const ContactMatrix w = inverse_mass(contact, regime);
     const double alone_ns =
         (std::abs(u[0]) + std::abs(w[0][0] * p[0]) + std::abs(w[0][1] * p[1]) + std::abs(w[0][2] * p[2])) / w[0][0];
-    const double cone_ns = cone_share * alone_ns;
     const double tangential_ns = std::hypot(p[1], p[2]), slip_m_s = std::hypot(u[1], u[2]);
+    const double rounding_ns = rounding_share(w, contact.solution.multiplier) * tangential_ns;
+    const double cone_ns = cone_share * alone_ns + rounding_ns;
 
     if (p[0] < 0) return "pull";
     if (u[0] < -off_m_s[0]) return "approach";
@@ -203,9 +224,56 @@ std::string broken_law(const Contact &contact, const Regime &regime, const Veloc
     // Most dissipation: where there is slip, the tangential impulse is mu p_n against it. The sum is 0 then, and by the cone
     // never below.
     const double not_dissipated = p[1] * u[1] + p[2] * u[2] + friction * p[0] * slip_m_s;
-    const double off_tangential_m_s = std::hypot(off_m_s[1], off_m_s[2]);
+    const double off_tangential_m_s = std::hypot(off_m_s[1], off_m_s[2]) + (w[1][1] + w[2][2]) * rounding_ns;
     if (not_dissipated > 2 * friction * p[0] * off_tangential_m_s + cone_ns * slip_m_s) return "dissipation";
     return "";
+}
+
+double largest_difference(const Velocities &a, const Velocities &b)
+{
+    double largest = std::abs(a.object - b.object);
+    for (int f = 0; f < 2; f++)
+        for (int j = 0; j < 2; j++)
+            largest = std::max(largest, std::abs(a.finger[f][j] - b.finger[f][j]));
+    return largest;
+}
+
+double largest_entry(const Velocities &velocities)
+{
+    return largest_difference(velocities, {});
+}
+
+void add(Velocities &velocities, const Velocities &change)
+{
+    for (int f = 0; f < 2; f++)
+        for (int j = 0; j < 2; j++)
+            velocities.finger[f][j] += change.finger[f][j];
+    velocities.object += change.object;
+}
+
+bool has_settled(const ContactProblem &problem, const Regime &regime, const Velocities &found)
+{
+    Velocities velocities = found;
+    for (const Contact &contact : problem.contacts) {
+        if (!can_move(contact, regime)) continue;
+        const ContactMatrix w = inverse_mass(contact, regime);
+        ContactVector b = contact_velocity(contact, velocities);
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                b[i] -= w[i][j] * contact.solution.impulse_ns[j];
+        const ContactVector after = CoulombContact(w, problem.friction).solve(b);
+        Contacts step;
+        step.add(contact);
+        for (int i = 0; i < 3; i++)
+            step.last().solution.impulse_ns[i] -= after[i];
+        const Velocities change = change_by(step, regime);
+        if (largest_entry(change) > settled) return false;
+        for (int f = 0; f < 2; f++)
+            for (int j = 0; j < 2; j++)
+                velocities.finger[f][j] -= change.finger[f][j];
+        velocities.object -= change.object;
+    }
+    return true;
 }
 
 } // namespace twiddle::sim

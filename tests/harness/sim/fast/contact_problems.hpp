@@ -85,9 +85,22 @@ bool can_move(const Contact &contact, const Regime &regime);
 // impulse in every direction of slip, and its laws have one answer.
 bool has_one_answer(const Contact &contact, const Regime &regime, double friction);
 
+// The same of all contacts that can move.
+bool each_has_one_answer(const ContactProblem &problem, const Regime &regime);
+
 // Which of Signorini's and Coulomb's laws the contact breaks by more than whitened velocities that are wrong by up to
 // `tolerance` each explain; empty if none. A contact that cannot move has to have no impulse.
 std::string broken_law(const Contact &contact, const Regime &regime, const Velocities &velocities, double friction,
                        double tolerance);
+
+// The largest entry of a difference, of velocities; and a sum.
+double largest_difference(const Velocities &a, const Velocities &b);
+double largest_entry(const Velocities &velocities);
+void add(Velocities &velocities, const Velocities &change);
+
+// Whether `found` and the contacts' impulses are where the solver's sweeps come to rest: one more sweep, made here, changes no velocity
+// by more than the solver's own limit. A problem that has not settled when the solver's sweeps are used up has no
+// answer to be compared.
+bool has_settled(const ContactProblem &problem, const Regime &regime, const Velocities &found);
 
 } // namespace twiddle::sim

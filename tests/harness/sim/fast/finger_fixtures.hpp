@@ -45,9 +45,9 @@ class BulletFinger
 {
   public:
     BulletFinger(const Setup &setup, Finger finger)
-        : gravity_m_s2(gravity_palm_m_s2(setup.physics)), hand(icub_hand(), setup.hand, HandHold::welded),
-          link{hand.controlled()[finger == Finger::index ? aai : ot],
-               hand.controlled()[finger == Finger::index ? fei : fet]}
+        : gravity_m_s2(gravity_palm_m_s2(setup.physics)),
+          hand(icub_hand(), setup.hand, HandHold::welded), link{hand.controlled()[finger == Finger::index ? aai : ot],
+                                                                hand.controlled()[finger == Finger::index ? fei : fet]}
     {
         for (const ArticulatedLink &part : hand.links()) {
             if (!part.moves) continue;

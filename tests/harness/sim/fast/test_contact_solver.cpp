@@ -29,35 +29,6 @@ Regime random_regime(const ContactProblem &problem, std::mt19937_64 &random)
     return regime;
 }
 
-bool each_has_one_answer(const ContactProblem &problem, const Regime &regime)
-{
-    for (const Contact &contact : problem.contacts)
-        if (can_move(contact, regime) && !has_one_answer(contact, regime, problem.friction)) return false;
-    return true;
-}
-
-double largest_difference(const Velocities &a, const Velocities &b)
-{
-    double largest = std::abs(a.object - b.object);
-    for (int f = 0; f < 2; f++)
-        for (int j = 0; j < 2; j++)
-            largest = std::max(largest, std::abs(a.finger[f][j] - b.finger[f][j]));
-    return largest;
-}
-
-double largest_entry(const Velocities &velocities)
-{
-    return largest_difference(velocities, {});
-}
-
-void add(Velocities &velocities, const Velocities &change)
-{
-    for (int f = 0; f < 2; f++)
-        for (int j = 0; j < 2; j++)
-            velocities.finger[f][j] += change.finger[f][j];
-    velocities.object += change.object;
-}
-
 // The nearest impulse in Coulomb's cone.
 ContactVector projected(const ContactVector &p, double friction)
 {
@@ -107,17 +78,16 @@ class Bipotential
             Contact &contact = contacts_[i];
             if (rho_[i] == 0) continue;
             const ContactVector u = contact_velocity(contact, velocities_);
-            const ContactVector before = contact.impulse_ns;
-            const ContactVector after =
-                projected({before[0] - rho_[i] * (u[0] + friction_ * std::hypot(u[1], u[2])),
-                           before[1] - rho_[i] * u[1], before[2] - rho_[i] * u[2]},
-                          friction_);
+            const ContactVector before = contact.solution.impulse_ns;
+            const ContactVector after = projected({before[0] - rho_[i] * (u[0] + friction_ * std::hypot(u[1], u[2])),
+                                                   before[1] - rho_[i] * u[1], before[2] - rho_[i] * u[2]},
+                                                  friction_);
             Contacts step;
             step.add(contact);
-            step.last().impulse_ns = {after[0] - before[0], after[1] - before[1], after[2] - before[2]};
+            step.last().solution.impulse_ns = {after[0] - before[0], after[1] - before[1], after[2] - before[2]};
             const Velocities change = change_by(step, regime_);
             add(velocities_, change);
-            contact.impulse_ns = after;
+            contact.solution.impulse_ns = after;
             for (int k = 0; k < 3; k++)
                 largest = std::max(largest, std::abs(after[k] - before[k]) / rho_[i]);
         }
@@ -137,101 +107,112 @@ Contacts with_random_impulses(const Contacts &contacts, double friction, std::mt
     Contacts started = contacts;
     for (Contact &contact : started) {
         const double x = normal(random), y = normal(random);
-        contact.impulse_ns = projected({0.003 * std::abs(normal(random)), 0.001 * x, 0.001 * y}, friction);
+        contact.solution.impulse_ns = projected({0.003 * std::abs(normal(random)), 0.001 * x, 0.001 * y}, friction);
     }
     return started;
 }
 
-// Signorini's and Coulomb's laws hold at every contact, within what velocities explain that the last sweep still changed: each
-// contact was solved for the others' impulses at its turn, and each other changed a velocity by `settled` at most afterwards.
-// Compared: all problems whose contacts alone have one answer. A problem that does not settle in the solver's 100 sweeps
-// breaks a law visibly; those are counted, and are a small share.
-TEST(fast_stepper_contact_solver, impulses_obey_signorini_and_coulomb)
+class fast_stepper_contact_solver : public testing::TestWithParam<Places>
+{
+};
+
+// Signorini's and Coulomb's laws hold at every contact, within what velocities explain that may still change in a sweep. Compared:
+// all problems that settle and whose contacts alone have one answer each.
+TEST_P(fast_stepper_contact_solver, impulses_obey_signorini_and_coulomb)
 {
     constexpr unsigned seed = 31;
     constexpr int problems = 20000;
     ProblemSource source(seed);
-    int compared = 0, touching = 0, unsettled = 0;
+    int jamming = 0, touching = 0, unsettled = 0, compared = 0;
     std::map<std::string, int> broken;
     for (int i = 0; i < problems; i++) {
-        ContactProblem problem = source.problem(1 + i % most);
+        ContactProblem problem = source.problem(GetParam(), 1 + i % most);
         const Regime regime = random_regime(problem, source.random());
-        if (!each_has_one_answer(problem, regime)) continue;
-        compared++;
+        if (!each_has_one_answer(problem, regime)) {
+            jamming++;
+            continue;
+        }
         Velocities velocities = problem.free;
         ContactSolver(problem.friction).solve(regime, problem.contacts, velocities);
-
-        // The velocities are those that the impulses make; by definition, to rounding.
+        // The velocities are those that the impulses make, settled or not; to rounding, which large impulses of a wedge make more of.
         Velocities expected = problem.free;
         add(expected, change_by(problem.contacts, regime));
-        ASSERT_LE(largest_difference(velocities, expected), 1e-12) << "seed " << seed << ", case " << i;
-
-        std::string law;
-        for (const Contact &contact : problem.contacts) {
-            touching += contact.impulse_ns[0] > 0;
-            const std::string found =
-                broken_law(contact, regime, velocities, problem.friction, (problem.contacts.size() - 1) * settled + 1e-12);
-            if (!found.empty()) law = found;
+        double most_ns = 0;
+        for (const Contact &contact : problem.contacts)
+            most_ns = std::max(most_ns, std::abs(contact.solution.impulse_ns[0]));
+        ASSERT_LE(largest_difference(velocities, expected), 1e-12 * (1 + most_ns)) << "seed " << seed << ", case " << i;
+        if (!has_settled(problem, regime, velocities)) {
+            unsettled++;
+            continue;
         }
-        unsettled += !law.empty();
-        if (!law.empty()) broken[law]++;
+        compared++;
+        for (const Contact &contact : problem.contacts) {
+            touching += contact.solution.impulse_ns[0] > 0;
+            const std::string law =
+                broken_law(contact, regime, velocities, problem.friction, problem.contacts.size() * settled);
+            if (!law.empty()) broken[law]++;
+        }
     }
-    std::printf("seed %u: %d of %d problems compared, %d contacts touch; %d problems break a law:", seed, compared,
-                problems, touching, unsettled);
+    std::printf("seed %u: of %d problems %d may jam, %d do not settle, %d compared with %d contacts that touch\n", seed,
+                problems, jamming, unsettled, compared, touching);
     for (const auto &[law, count] : broken)
-        std::printf(" %s %d;", law.c_str(), count);
-    std::printf("\n");
-    EXPECT_GT(compared, problems / 3) << "too few cases to say anything";
-    EXPECT_GT(touching, problems / 3) << "too few cases to say anything";
-    EXPECT_EQ(unsettled, 0);
+        std::printf("broken: %s, %d contacts\n", law.c_str(), count);
+    EXPECT_GT(compared, problems / 4) << "too few cases to say anything";
+    EXPECT_GT(touching, problems / 10) << "too few cases to say anything";
+    EXPECT_TRUE(broken.empty());
 }
 
-// Expected: the velocities of the bipotential's iteration, to 1e-5 of the largest. Compared: problems whose contacts alone have
-// one answer and in which the iteration settles at the same velocities from no impulses and from random ones, which
-// tells that the problem has one answer in velocities.
-TEST(fast_stepper_contact_solver, velocities_equal_those_of_an_independent_iteration)
+// Expected: the velocities of the bipotential's iteration, to 1e-5 of the largest and ten times what the solver lets change in its
+// last sweep (a change that shrinks by a tenth a sweep adds up to that). The iteration starts from no impulses, from random ones and
+// from the solver's. Compared: problems that settle, whose contacts alone have one answer each, and in which the
+// iteration comes to rest. From the solver's impulses it must stay where it is in all of them; from the other starts it must
+// come there but for the few problems that have several answers.
+TEST_P(fast_stepper_contact_solver, velocities_equal_those_of_an_independent_iteration)
 {
     constexpr unsigned seed = 32;
-    constexpr int problems = 2000, most_sweeps = 20000;
-    constexpr double settled_at = 1e-10; // m/s
+    constexpr int problems = 3000, most_sweeps = 20000;
+    constexpr double rest_m_s = 1e-10;
     ProblemSource source(seed);
-    int jamming = 0, unsettled = 0, several = 0, compared = 0, off = 0;
+    int jamming = 0, unsettled = 0, restless = 0, several = 0, compared = 0;
     double largest = 0;
     for (int i = 0; i < problems; i++) {
-        ContactProblem problem = source.problem(1 + i % most);
+        ContactProblem problem = source.problem(GetParam(), 1 + i % most);
         const Regime regime = random_regime(problem, source.random());
         if (!each_has_one_answer(problem, regime)) {
             jamming++;
             continue;
         }
         Bipotential first(problem, regime, problem.contacts);
-        Bipotential second(problem, regime,
-                           with_random_impulses(problem.contacts, problem.friction, source.random()));
-        if (!first.run(most_sweeps, settled_at) || !second.run(most_sweeps, settled_at)) {
+        Bipotential second(problem, regime, with_random_impulses(problem.contacts, problem.friction, source.random()));
+        Velocities velocities = problem.free;
+        ContactSolver(problem.friction).solve(regime, problem.contacts, velocities);
+        if (!has_settled(problem, regime, velocities)) {
             unsettled++;
             continue;
         }
-        const double scale = largest_entry(problem.free);
-        if (largest_difference(first.velocities(), second.velocities()) > 1e-7 * scale) {
-            several++;
+        Bipotential stays(problem, regime, problem.contacts);
+        if (!first.run(most_sweeps, rest_m_s) || !second.run(most_sweeps, rest_m_s) ||
+            !stays.run(most_sweeps, rest_m_s)) {
+            restless++;
             continue;
         }
         compared++;
-        Velocities velocities = problem.free;
-        ContactSolver(problem.friction).solve(regime, problem.contacts, velocities);
-        const double difference = largest_difference(velocities, first.velocities()) / scale;
-        largest = std::max(largest, difference);
-        if (difference > 1e-5) {
-            off++;
-            std::printf("case %d: %.1e with %d contacts\n", i, difference, problem.contacts.size());
-        }
+        const double scale = largest_entry(problem.free), same = 1e-5 * scale + 10 * settled;
+        const double difference = largest_difference(velocities, stays.velocities());
+        largest = std::max(largest, difference / scale);
+        EXPECT_LE(difference, same) << "seed " << seed << ", case " << i;
+        several += largest_difference(velocities, first.velocities()) > same ||
+                   largest_difference(velocities, second.velocities()) > same;
     }
-    std::printf("seed %u: of %d problems %d may jam, in %d the iteration does not settle, in %d it finds several "
-                "answers, %d compared: largest difference %.1e, %d above 1e-5\n",
-                seed, problems, jamming, unsettled, several, compared, largest, off);
-    EXPECT_GT(compared, problems / 3) << "too few cases to say anything";
-    EXPECT_EQ(off, 0);
+    std::printf("seed %u: of %d problems %d may jam, the solver does not settle in %d and the iteration not in %d; %d "
+                "compared: largest difference %.1e of the largest velocity; %d with several answers\n",
+                seed, problems, jamming, unsettled, restless, compared, largest, several);
+    EXPECT_GT(compared, problems / 4) << "too few cases to say anything";
+    EXPECT_LE(several, compared / 100) << "more problems with several answers than the friction explains";
 }
+
+INSTANTIATE_TEST_SUITE_P(Sim, fast_stepper_contact_solver, testing::Values(Places::face, Places::scattered),
+                         [](const auto &places) { return places.param == Places::face ? "face" : "scattered"; });
 
 } // namespace
 } // namespace twiddle::sim
