@@ -11,7 +11,7 @@ PEERS_SETS ?= 200
 PREFIX ?= /usr/local
 
 .DEFAULT_GOAL := help
-.PHONY: help run test bench bench-peers plots first-figures hand-tables
+.PHONY: help run test bench bench-peers performance plots first-figures hand-tables
 .PHONY: deps build sanitize format lint lint-format lint-tidy install clean gnuplot
 
 help: ## print this list
@@ -45,6 +45,16 @@ $(PEERS_VENV)/installed: $(PEERS)/requirements.txt | deps
 	@$(PEERS_VENV)/bin/pip install -qqq --disable-pip-version-check --retries 1 --requirement $< || \
 	{ echo "make: pip could not install MuJoCo from PyPI, which bench-peers compares with; is PyPI reachable?" >&2; exit 1; }
 	@touch $@
+
+PERFORMANCE := build/bench/performance
+
+performance: build gnuplot ## measure how the cost of a control step grows with the work, and draw it (about 5 minutes), into build/bench
+	@mkdir -p build/bench
+	$(BUILD)/bin/bench_growth build/bench/growth.csv
+	@for format in svg png; do \
+	    gnuplot -d -e "growth='build/bench/growth.csv'; output='$(PERFORMANCE).$$format'; format='$$format'" \
+	        plots/performance.gp || exit 1; echo "$(PERFORMANCE).$$format"; done
+	scripts/performance-table build/bench/growth.csv
 
 plots: ## draw one run again: make plots RUN=results/demo
 	plots/draw-run $(RUN)
@@ -82,6 +92,14 @@ first-figures: build gnuplot ## train the runs of README's first table (JOBS=2 a
 $(FIRST_RUNS): $(FIRST)/%:
 	@$(TWIDDLE) train --object $(first_object) --model $(first_model) --seed $(first_seed) \
 	    --trials $(FIRST_TRIALS) --out $@ --resume
+
+# --- the paper's experiments: a sweep of models/sweeps ---
+
+SWEEP ?= paper
+
+.PHONY: paper
+paper: build ## train all runs of a sweep into results/SWEEP; goes on where it was stopped: make paper SWEEP=smoke JOBS=2
+	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out results/$(SWEEP) --jobs $(JOBS)
 
 # --- building ---
 

@@ -1,17 +1,13 @@
-// Speed of the full loop and of its parts on one core, for the default number type, set-up and substeps.
-// Items are control steps, or calls of the part that is named.
+// Speed of the full loop, of a whole training run, and of the controller's and the learner's parts, on one core, for the default
+// number type, set-up and substeps. Items are control steps, or calls of the part that is named.
+#include "work.hpp"
+
 #include "experiment/training.hpp"
-#include "experiment/trial.hpp"
 
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <filesystem>
-#include <random>
-#include <vector>
 
 namespace
 {
@@ -19,51 +15,39 @@ namespace
 using namespace twiddle;
 using namespace twiddle::experiment;
 
-const std::filesystem::path models_dir = TWIDDLE_MODELS;
+constexpr std::uint32_t seed = 1;
 
-// `count` parameter vectors of `size` values, the same in every run.
-std::vector<Parameters> random_parameters(std::size_t count, std::size_t size)
+// Trials of CPG-C with random parameters: controller, torques at every substep, and the world.
+void full_loop(benchmark::State &state, sim::Stepper stepper, const char *object)
 {
-    constexpr unsigned seed = 1;
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> uniform(0.001, 0.999);
-    std::vector<Parameters> sets(count, Parameters(size));
-    for (Parameters &set : sets)
-        std::generate(set.begin(), set.end(), [&] { return static_cast<twd_num>(uniform(random)); });
-    return sets;
-}
-
-// The peak of this process's resident memory so far, in MB.
-double peak_resident_mb()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024; // Linux counts in KiB
-}
-
-// Trials of CPG-C with random parameters: controller, torques at every substep, and the Bullet world.
-void full_loop(benchmark::State &state, const char *object)
-{
-    TrialRunner runner(sim::Stepper::reference, sim::read_hand_model(models_dir / "icub_right_hand.urdf"),
-                       sim::read_object(models_dir, object), sim::load_setup(models_dir, "mid-a"),
-                       sim::HandHold::welded, twd_model_c, true);
-    const auto sets = random_parameters(64, twd_model_parameters(&twd_model_c, true));
+    TrialRunner runner = bench::make_runner(stepper, object);
+    const auto sets = bench::random_parameters(twd_model_c, 64, seed);
     std::size_t next = 0;
     while (state.KeepRunning())
         benchmark::DoNotOptimize(runner.run(sets[next++ % sets.size()]).rotation_rad);
     state.SetItemsProcessed(state.iterations() * trial_steps);
 }
-BENCHMARK_CAPTURE(full_loop, small_sphere, "small-sphere")->Unit(benchmark::kMillisecond)->MinTime(3);
-BENCHMARK_CAPTURE(full_loop, medium_cylinder, "medium-cylinder")->Unit(benchmark::kMillisecond)->MinTime(3);
-BENCHMARK_CAPTURE(full_loop, large_cube, "large-cube")->Unit(benchmark::kMillisecond)->MinTime(3);
+
+// A training run of CPG-H from its first trial to its last.
+void training_run(benchmark::State &state, sim::Stepper stepper, const char *object)
+{
+    constexpr std::uint32_t trials = 5000;
+    while (state.KeepRunning()) {
+        Training run(bench::training_run(stepper, object, trials), bench::models_dir);
+        for (std::uint32_t trial = 0; trial < trials; ++trial)
+            benchmark::DoNotOptimize(run.run_trial().rotation_rad);
+    }
+    state.SetItemsProcessed(state.iterations() * trials * trial_steps);
+}
 
 // A controller of CPG-H, whose three CPGs all run.
 twd_controller controller_of_h()
 {
-    const twd_controller_config config = controller_config(sim::load_setup(models_dir, "mid-a"), twd_model_h, true);
+    const twd_controller_config config =
+        controller_config(sim::load_setup(bench::models_dir, "mid-a"), twd_model_h, true);
     twd_controller controller{};
     if (twd_controller_init(&controller, &config) != TWD_OK) std::abort();
-    const Parameters parameters = random_parameters(1, twd_model_parameters(&twd_model_h, true)).front();
+    const Parameters parameters = bench::random_parameters(twd_model_h, 1, seed).front();
     if (twd_controller_start(&controller, parameters.data(), parameters.size()) != TWD_OK) std::abort();
     return controller;
 }
@@ -100,11 +84,11 @@ BENCHMARK(controller_torque);
 // One trial of the learner of CPG-H: exploring, and learning from a reward.
 void learner_act_and_learn(benchmark::State &state)
 {
-    const sim::LearnerSetup learner = sim::load_setup(models_dir, "mid-a").learner;
-    const twd_agent_config config = agent_config(learner, twd_model_h, true, 5000, 1);
+    const sim::LearnerSetup learner = sim::load_setup(bench::models_dir, "mid-a").learner;
+    const twd_agent_config config = agent_config(learner, twd_model_h, true, 5000, seed);
     twd_agent agent{};
     if (twd_agent_init(&agent, &config) != TWD_OK) std::abort();
-    const LearnerInput input = learner_input(sim::read_object(models_dir, "small-sphere"), learner);
+    const LearnerInput input = learner_input(sim::read_object(bench::models_dir, "small-sphere"), learner);
     Parameters parameters(config.units);
     while (state.KeepRunning()) {
         twd_agent_act(&agent, input.data(), parameters.data());
@@ -114,21 +98,28 @@ void learner_act_and_learn(benchmark::State &state)
 }
 BENCHMARK(learner_act_and_learn);
 
-// Trials of a training run of CPG-H; the peak of the process's resident memory, this program's included.
-void training(benchmark::State &state)
+void for_3_s(benchmark::internal::Benchmark *full_loop)
 {
-    record::RunSpecification specification;
-    specification.object = "small-sphere";
-    specification.model = "cpg-h";
-    specification.setup = "mid-a";
-    specification.settings = sim::load_setup(models_dir, "mid-a").settings;
-    specification.trials = 5000;
-    Training run(specification, models_dir);
-    while (state.KeepRunning())
-        benchmark::DoNotOptimize(run.run_trial().rotation_rad);
-    state.SetItemsProcessed(state.iterations() * trial_steps);
-    state.counters["peak_resident_MB"] = peak_resident_mb();
+    full_loop->Unit(benchmark::kMillisecond)->MinTime(3);
 }
-BENCHMARK(training)->Unit(benchmark::kMillisecond)->MinTime(3);
+
+void one_run(benchmark::internal::Benchmark *training_run)
+{
+    training_run->Unit(benchmark::kSecond)->Iterations(1);
+}
+
+// Unformatted, since spaces around the slashes would be spaces in the names.
+// clang-format off
+BENCHMARK_CAPTURE(full_loop, fast/small_sphere, sim::Stepper::fast, "small-sphere")->Apply(for_3_s);
+BENCHMARK_CAPTURE(full_loop, fast/medium_cylinder, sim::Stepper::fast, "medium-cylinder")->Apply(for_3_s);
+BENCHMARK_CAPTURE(full_loop, fast/large_cube, sim::Stepper::fast, "large-cube")->Apply(for_3_s);
+BENCHMARK_CAPTURE(full_loop, reference/small_sphere, sim::Stepper::reference, "small-sphere")->Apply(for_3_s);
+BENCHMARK_CAPTURE(full_loop, reference/medium_cylinder, sim::Stepper::reference, "medium-cylinder")->Apply(for_3_s);
+BENCHMARK_CAPTURE(full_loop, reference/large_cube, sim::Stepper::reference, "large-cube")->Apply(for_3_s);
+BENCHMARK_CAPTURE(training_run, fast/small_sphere, sim::Stepper::fast, "small-sphere")->Apply(one_run);
+BENCHMARK_CAPTURE(training_run, fast/medium_cylinder, sim::Stepper::fast, "medium-cylinder")->Apply(one_run);
+BENCHMARK_CAPTURE(training_run, fast/large_cube, sim::Stepper::fast, "large-cube")->Apply(one_run);
+BENCHMARK_CAPTURE(training_run, reference/small_sphere, sim::Stepper::reference, "small-sphere")->Apply(one_run); // a minute
+// clang-format on
 
 } // namespace

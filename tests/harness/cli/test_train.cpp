@@ -194,7 +194,8 @@ TEST(Train, folder_of_something_else_is_not_touched)
 // for a run of another number type, another hold of the hand and overridden settings.
 TEST(Train, replay_repeats_the_run_from_its_folder)
 {
-    for (const std::string more : {"", "--number double --set contact.friction=0.4", "--hand full --stepper reference"}) {
+    for (const std::string more :
+         {"", "--number double --set contact.friction=0.4", "--hand full --stepper reference"}) {
         const ScratchFolder folder;
         const fs::path run = folder.path() / "run";
         const std::string skill = "--object medium-cube --model cpg-h " + more;

@@ -2,9 +2,9 @@
 #include "fixtures.hpp"
 
 #include "sim/clearance.hpp"
+#include "sim/object.hpp"
 #include "sim/reference/hinged_object.hpp"
 #include "sim/world.hpp"
-#include "sim/object.hpp"
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr unsigned seed = 200;
-constexpr int sets = 200;
+constexpr unsigned sets = 200;
 constexpr unsigned batches = 5;
 constexpr int converged_substeps = 100; // of the fast stepper
 constexpr int reference_substeps = 50;
@@ -30,9 +30,11 @@ class stepper_agreement : public testing::TestWithParam<const char *>
 };
 
 // Final rotations over 200 random parameter sets at the default substeps correlate at least 0.98 with the reference's at 50
-// substeps, and no finger reaches more than 0.5 mm into the object. With the stepper's own at 100 substeps they correlate at least
-// 0.999 in the median of five batches of 200: a fingertip on the very edge of slipping off a corner goes one way or the other
-// by the last digit, and one such trial among 200 takes r to 0.98 (between 50 and 100 substeps, too).
+// substeps, and no finger reaches more than 0.5 mm into the object. With the stepper's own at 100 substeps, in five batches of
+// 200, at most 2 % of the trials differ by more than 0.3 rad, and the median r is at least 0.999 (0.99 for cubes).
+//
+// Why cubes are less: a fingertip on the very edge of slipping off a corner goes one way or the other by the last digit, at any
+// number of substeps (at 20 as at 5), and one such trial among 200 takes r to between 0.98 and 0.998.
 TEST_P(stepper_agreement, rotations_agree_with_converged_runs_of_both_steppers)
 {
     const std::string object = GetParam();
@@ -45,7 +47,7 @@ TEST_P(stepper_agreement, rotations_agree_with_converged_runs_of_both_steppers)
     const Outcome expected = run_sets(reference, sets, seed);
     const double r_reference = correlation(found.rotation_rad, expected.rotation_rad);
     std::printf(
-        "%s, %d parameter sets, seed %u: fast, %d substeps: mean %.3f rad, deepest %.2f mm; reference, %d substeps: "
+        "%s, %u parameter sets, seed %u: fast, %d substeps: mean %.3f rad, deepest %.2f mm; reference, %d substeps: "
         "mean %.3f rad, r = %.5f\n",
         object.c_str(), sets, seed, substeps, mean(found.rotation_rad), 1e3 * found.deepest_m, reference_substeps,
         mean(expected.rotation_rad), r_reference);
@@ -53,15 +55,23 @@ TEST_P(stepper_agreement, rotations_agree_with_converged_runs_of_both_steppers)
     EXPECT_LE(found.deepest_m, 0.5e-3);
 
     std::vector<double> r_converged;
-    std::printf("  with itself at %d substeps, seeds %u to %u: r =", converged_substeps, seed, seed + batches - 1);
+    unsigned apart = 0;
     for (unsigned batch = 0; batch < batches; batch++) {
-        r_converged.push_back(correlation(run_sets(fast, sets, seed + batch).rotation_rad,
-                                          run_sets(converged, sets, seed + batch).rotation_rad));
-        std::printf(" %.5f", r_converged.back());
+        const auto at_default = run_sets(fast, sets, seed + batch).rotation_rad;
+        const auto at_converged = run_sets(converged, sets, seed + batch).rotation_rad;
+        r_converged.push_back(correlation(at_default, at_converged));
+        for (std::size_t i = 0; i < at_default.size(); i++)
+            apart += std::abs(at_default[i] - at_converged[i]) > 0.3 ? 1 : 0;
     }
-    std::printf("\n");
     std::sort(r_converged.begin(), r_converged.end());
-    EXPECT_GE(r_converged[batches / 2], 0.999);
+    std::printf(
+        "  with itself at %d substeps, seeds %u to %u: r %.5f to %.5f, median %.5f; %u of %u trials differ by more "
+        "than 0.3 rad\n",
+        converged_substeps, seed, seed + batches - 1, r_converged.front(), r_converged.back(), r_converged[batches / 2],
+        apart, batches * sets);
+    const bool cube = object.find("cube") != std::string::npos;
+    EXPECT_GE(r_converged[batches / 2], cube ? 0.99 : 0.999);
+    EXPECT_LE(apart, batches * sets / 50);
 }
 
 TEST_P(stepper_agreement, pressed_object_does_not_creep)
