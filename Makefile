@@ -98,8 +98,9 @@ $(FIRST_RUNS): $(FIRST)/%:
 SWEEP ?= paper
 
 .PHONY: paper
-paper: build ## train all runs of a sweep into results/SWEEP; goes on where it was stopped: make paper SWEEP=smoke JOBS=2
+paper: build ## train all runs of a sweep into results/SWEEP and make its tables; goes on where it was stopped: make paper SWEEP=smoke JOBS=2
 	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out results/$(SWEEP) --jobs $(JOBS)
+	$(TWIDDLE) summarize results/$(SWEEP)
 
 # --- building ---
 

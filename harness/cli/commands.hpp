@@ -17,8 +17,10 @@ struct Session {
 };
 
 void add_train(CLI::App &app, Session &session);
+void add_sweep(CLI::App &app, Session &session);
 void add_replay(CLI::App &app, Session &session);
 void add_rollout(CLI::App &app, Session &session);
+void add_summarize(CLI::App &app, Session &session);
 void add_info(CLI::App &app, Session &session);
 
 } // namespace twiddle::cli

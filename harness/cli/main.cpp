@@ -30,8 +30,10 @@ int run(int argc, char **argv)
     CLI::App app("Rhythmic hand skills, learned by trial and error.", "twiddle");
     app.set_version_flag("--version", twiddle::record::version_line());
     add_train(app, session);
+    add_sweep(app, session);
     add_replay(app, session);
     add_rollout(app, session);
+    add_summarize(app, session);
     add_info(app, session);
     try {
         app.parse(argc, argv);
@@ -40,7 +42,8 @@ int run(int argc, char **argv)
     } catch (const CLI::ParseError &error) {
         return complain(std::string(error.what()) + "; see --help", exit_wrong_use);
     }
-    if (!session.run) throw UsageError("a command is missing: train, replay, rollout or info; see --help");
+    if (!session.run)
+        throw UsageError("a command is missing: train, sweep, replay, rollout, summarize or info; see --help");
     const int status = session.run();
     if (!(std::cout << std::flush)) throw std::runtime_error("cannot write to standard output");
     return status;

@@ -3,6 +3,8 @@
 #include "errors.hpp"
 #include "record/part_file.hpp"
 
+#include <algorithm>
+
 namespace twiddle::cli
 {
 
@@ -11,13 +13,21 @@ namespace
 
 namespace fs = std::filesystem;
 
-std::optional<record::Run> read_existing(const RunFolder &folder)
+std::optional<record::Run> read_existing(const RunFolder &folder, const std::string &advice)
 {
     try {
         return record::read_run(folder.run_json());
     } catch (const std::runtime_error &error) {
-        throw UsageError(std::string(error.what()) + "; choose another folder by --out");
+        throw UsageError(std::string(error.what()) + "; " + advice);
     }
+}
+
+// Whether the folder is empty, but for what a program leaves that is killed while it writes its first file.
+bool holds_nothing(const RunFolder &folder)
+{
+    const fs::path first = record::part_path(folder.run_json());
+    return std::all_of(fs::directory_iterator(folder.path), fs::directory_iterator(),
+                       [&](const fs::directory_entry &entry) { return entry.path() == first; });
 }
 
 } // namespace
@@ -29,22 +39,22 @@ fs::path outline_beside(const fs::path &trajectory)
 
 fs::path default_run_path(const record::RunSpecification &specification)
 {
-    const std::string model = specification.model + (specification.centre ? "" : "-no-centre");
-    return fs::path("results") / specification.object / model / ("seed-" + std::to_string(specification.seed));
+    return fs::path("results") / record::folder_of(specification);
 }
 
-std::optional<record::Run> claim(const RunFolder &folder, const record::RunSpecification &specification)
+std::optional<record::Run> claim(const RunFolder &folder, const record::RunSpecification &specification,
+                                 const std::string &advice)
 {
     const std::string name = "'" + folder.path.string() + "'";
     if (!fs::exists(folder.path)) return std::nullopt;
-    if (!fs::is_directory(folder.path)) throw UsageError(name + " is no folder; choose another by --out");
+    if (!fs::is_directory(folder.path)) throw UsageError(name + " is no folder; " + advice);
     if (!fs::exists(folder.run_json())) {
-        if (fs::is_empty(folder.path)) return std::nullopt;
-        throw UsageError(name + " holds files that are no run of twiddle; choose another folder by --out");
+        if (holds_nothing(folder)) return std::nullopt;
+        throw UsageError(name + " holds files that are no run of twiddle; " + advice);
     }
-    const std::optional<record::Run> run = read_existing(folder);
+    const std::optional<record::Run> run = read_existing(folder, advice);
     if (run->specification != specification)
-        throw UsageError(name + " holds another run (" + run->command + "); choose another folder by --out");
+        throw UsageError(name + " holds another run (" + run->command + "); " + advice);
     return run;
 }
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace twiddle::cli
 {
@@ -38,8 +39,9 @@ std::filesystem::path outline_beside(const std::filesystem::path &trajectory);
 std::filesystem::path default_run_path(const record::RunSpecification &specification);
 
 // The run in the folder, if there is one of `specification`; nothing if the folder is missing or empty. Throws UsageError if
-// the folder holds anything else; it is then to stay as it is.
-std::optional<record::Run> claim(const RunFolder &folder, const record::RunSpecification &specification);
+// the folder holds anything else, with `advice` as the sentence's end; it is then to stay as it is.
+std::optional<record::Run> claim(const RunFolder &folder, const record::RunSpecification &specification,
+                                 const std::string &advice);
 
 // Remove what an earlier run of the same specification left beside run.json.
 void remove_results(const RunFolder &folder);

@@ -2,20 +2,23 @@
 #include "errors.hpp"
 #include "executable.hpp"
 #include "options.hpp"
+#include "record/progress.hpp"
 #include "run_folder.hpp"
+#include "stop_request.hpp"
 #include "training_session.hpp"
 
+#include <chrono>
 #include <iostream>
 #include <limits>
 #include <memory>
+
+#include <unistd.h>
 
 namespace twiddle::cli
 {
 
 namespace
 {
-
-constexpr std::uint64_t most_trials = 10'000'000;
 
 struct TrainOptions {
     RunOptions run;
@@ -25,13 +28,52 @@ struct TrainOptions {
     bool resume = false;
 };
 
+double seconds_since(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Run the session's trials to the end, or until Ctrl-C, and report each. Returns whether the end was reached.
+bool run_trials(TrainingSession &session, std::uint32_t trials)
+{
+    record::Progress progress(std::cerr, ::isatty(STDERR_FILENO) == 1, trials, session.trials_done());
+    for (const double reward : session.rewards()) {
+        progress.recall(reward);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    while (!session.is_done()) {
+        const experiment::TrialRow row = session.run_trial();
+        progress.update(row.reward, seconds_since(start));
+        if (!row.fault.empty()) {
+            progress.end_line();
+            std::cerr << "twiddle: trial " << row.trial << ": " << row.fault << '\n';
+        }
+        if (stop_signal() != 0 && !session.is_done()) {
+            progress.end_line();
+            return false;
+        }
+    }
+    return true;
+}
+
+void print(const TrainingSummary &summary, const RunFolder &folder)
+{
+    std::cout << "mean rotation of the first " << summary.first_trials
+              << " trials: " << summary.mean_rotation_of_first_rad << " rad\n"
+              << "mean rotation of the last " << summary.last_trials << " trials: " << summary.mean_rotation_of_last_rad
+              << " rad\n";
+    if (summary.faults > 0) std::cout << "trials with a fault, counted as 0 rad: " << summary.faults << '\n';
+    std::cout << "run.json, trials.csv and policy.json are in " << folder.path.string() << '\n';
+}
+
 int train(const TrainOptions &options, const std::vector<std::string> &arguments)
 {
     require_supported(options.run);
     hand_over(options.run.number, arguments);
 
     const auto seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
-    const auto trials = static_cast<std::uint32_t>(whole_number("--trials", options.trials, 1, most_trials));
+    const auto trials =
+        static_cast<std::uint32_t>(whole_number("--trials", options.trials, 1, experiment::most_trials));
     const std::filesystem::path models = models_dir(options.run.models_dir);
     record::Run run;
     run.specification = run_specification(options.run, models, seed, trials);
@@ -39,13 +81,25 @@ int train(const TrainOptions &options, const std::vector<std::string> &arguments
 
     const RunFolder folder{options.out.empty() ? default_run_path(run.specification)
                                                : std::filesystem::path(options.out)};
-    const std::optional<record::Run> earlier = claim(folder, run.specification);
+    const std::optional<record::Run> earlier = claim(folder, run.specification, "choose another folder by --out");
     if (options.resume && earlier && earlier->complete) {
         std::cout << "the run in " << folder.path.string() << " is already complete\n";
         return 0;
     }
     TrainingSession session(folder, run, models);
-    return session.run(options.resume && earlier);
+    catch_stop_signals();
+    if (options.resume && earlier) {
+        session.resume("train again without --resume");
+    } else {
+        session.start_anew();
+    }
+    if (!run_trials(session, trials)) {
+        std::cerr << "twiddle: stopped after trial " << session.trials_done() << " of " << trials
+                  << "; the same command with --resume goes on\n";
+        return 128 + stop_signal(); // as a shell reports it
+    }
+    print(session.finish(), folder);
+    return 0;
 }
 
 } // namespace

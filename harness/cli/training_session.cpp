@@ -1,16 +1,11 @@
 #include "training_session.hpp"
 
 #include "record/part_file.hpp"
-#include "stop_request.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <iostream>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
-
-#include <unistd.h>
 
 namespace twiddle::cli
 {
@@ -18,13 +13,8 @@ namespace twiddle::cli
 namespace
 {
 
-constexpr std::size_t first_trials = 100; // whose means are printed at the end
+constexpr std::size_t first_trials = 100; // whose means are the run's summary
 constexpr std::size_t last_trials = 500;
-
-double seconds_since(std::chrono::steady_clock::time_point start)
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 double mean(std::vector<double>::const_iterator begin, std::vector<double>::const_iterator end)
 {
@@ -38,69 +28,65 @@ TrainingSession::TrainingSession(RunFolder folder, record::Run run, const std::f
 {
 }
 
-int TrainingSession::run(bool resume)
+std::uint32_t TrainingSession::trials_done() const
 {
-    catch_stop_signals();
-    record::CsvWriter log = resume ? recall() : start_anew();
-    const std::uint32_t trials = run_.specification.trials;
-    const auto already_done = static_cast<std::uint32_t>(rotation_rad_.size());
-    record::Progress progress(std::cerr, ::isatty(STDERR_FILENO) == 1, trials, already_done);
-    for (const double reward : reward_) {
-        progress.recall(reward);
-    }
-    const auto start = std::chrono::steady_clock::now();
-    for (std::uint32_t done = already_done; done < trials; ++done) {
-        const experiment::TrialRow row = training_.run_trial();
-        write_trial(log, row);
-        take_note(row);
-        progress.update(row.reward, seconds_since(start));
-        if (!row.fault.empty()) {
-            progress.end_line();
-            std::cerr << "twiddle: trial " << row.trial << ": " << row.fault << '\n';
-        }
-        if (stop_signal() != 0 && done + 1 < trials) {
-            progress.end_line();
-            return stop(stop_signal());
-        }
-    }
-    finish(log);
-    return 0;
+    return static_cast<std::uint32_t>(rotation_rad_.size());
 }
 
-record::CsvWriter TrainingSession::start_anew()
+bool TrainingSession::is_done() const
+{
+    return trials_done() >= run_.specification.trials;
+}
+
+const std::vector<double> &TrainingSession::rewards() const
+{
+    return reward_;
+}
+
+experiment::TrialRow TrainingSession::run_trial()
+{
+    experiment::TrialRow row = training_.run_trial();
+    write_trial(*log_, row);
+    take_note(row);
+    return row;
+}
+
+void TrainingSession::start_anew()
 {
     std::filesystem::create_directories(folder_.path);
     record::write_run(folder_.run_json(), run_); // "running" before anything of a complete run goes
     remove_results(folder_);
-    return record::CsvWriter(folder_.trials_csv(), trial_log_comments(run_.specification), trial_log_columns());
+    log_.emplace(folder_.trials_csv(), trial_log_comments(run_.specification), trial_log_columns());
 }
 
-record::CsvWriter TrainingSession::recall()
+void TrainingSession::resume(const std::string &advice)
 {
     const std::vector<RecordedTrial> recorded = read_recorded_trials(folder_.trials_csv());
-    if (recorded.empty()) return start_anew();
-
+    if (recorded.empty()) {
+        start_anew();
+        return;
+    }
     for (std::size_t i = 0; i + 1 < recorded.size(); ++i) {
         const experiment::TrialRow row = training_.recall_trial(recorded[i].rotation_rad);
-        require_same(row, recorded[i]);
+        require_same(row, recorded[i], advice);
         take_note(row);
         if (recorded[i].fault) ++faults_;
     }
     // The last one is simulated again: where this program or this machine gives another rotation, the run cannot go on.
     const experiment::TrialRow row = training_.run_trial();
-    require_same(row, recorded.back());
+    require_same(row, recorded.back(), advice);
     take_note(row);
-    record::CsvWriter log(folder_.trials_csv(), trial_log_columns(), recorded.back().offset);
-    write_trial(log, row);
-    return log;
+    log_.emplace(folder_.trials_csv(), trial_log_columns(), recorded.back().offset);
+    write_trial(*log_, row);
 }
 
-void TrainingSession::require_same(const experiment::TrialRow &row, const RecordedTrial &recorded) const
+void TrainingSession::require_same(const experiment::TrialRow &row, const RecordedTrial &recorded,
+                                   const std::string &advice) const
 {
     if (trial_text(row) == recorded.text) return;
     throw std::runtime_error("'" + record::part_path(folder_.trials_csv()).string() +
                              "' cannot be continued, since this program gives another trial " +
-                             std::to_string(row.trial) + "; train again without --resume");
+                             std::to_string(row.trial) + "; " + advice);
 }
 
 void TrainingSession::take_note(const experiment::TrialRow &row)
@@ -110,34 +96,32 @@ void TrainingSession::take_note(const experiment::TrialRow &row)
     if (!row.fault.empty()) ++faults_;
 }
 
-int TrainingSession::stop(int signal) const
+TrainingSummary TrainingSession::summary() const
 {
-    std::cerr << "twiddle: stopped after trial " << rotation_rad_.size() << " of " << run_.specification.trials
-              << "; the same command with --resume goes on\n";
-    return 128 + signal; // as a shell reports it
+    TrainingSummary summary;
+    summary.first_trials = std::min(first_trials, rotation_rad_.size());
+    summary.last_trials = std::min(last_trials, rotation_rad_.size());
+    const auto first_end = rotation_rad_.begin() + static_cast<std::ptrdiff_t>(summary.first_trials);
+    const auto last_begin = rotation_rad_.end() - static_cast<std::ptrdiff_t>(summary.last_trials);
+    summary.mean_rotation_of_first_rad = mean(rotation_rad_.begin(), first_end);
+    summary.mean_rotation_of_last_rad = mean(last_begin, rotation_rad_.end());
+    summary.faults = faults_;
+    return summary;
 }
 
-void TrainingSession::finish(record::CsvWriter &log)
+TrainingSummary TrainingSession::finish()
 {
-    const std::size_t first = std::min(first_trials, rotation_rad_.size());
-    const std::size_t last = std::min(last_trials, rotation_rad_.size());
-    const double first_rad = mean(rotation_rad_.begin(), rotation_rad_.begin() + static_cast<std::ptrdiff_t>(first));
-    const double last_rad = mean(rotation_rad_.end() - static_cast<std::ptrdiff_t>(last), rotation_rad_.end());
-
-    log.finish();
+    const TrainingSummary results = summary();
+    log_->finish();
     record::write_policy(folder_.policy_json(), training_.policy());
     run_.complete = true;
-    run_.summary = {{"first_trials", first},
-                    {"mean_rotation_of_first_rad", first_rad},
-                    {"last_trials", last},
-                    {"mean_rotation_of_last_rad", last_rad},
-                    {"faults", faults_}};
+    run_.summary = {{"first_trials", results.first_trials},
+                    {"mean_rotation_of_first_rad", results.mean_rotation_of_first_rad},
+                    {"last_trials", results.last_trials},
+                    {"mean_rotation_of_last_rad", results.mean_rotation_of_last_rad},
+                    {"faults", results.faults}};
     record::write_run(folder_.run_json(), run_);
-
-    std::cout << "mean rotation of the first " << first << " trials: " << first_rad << " rad\n"
-              << "mean rotation of the last " << last << " trials: " << last_rad << " rad\n";
-    if (faults_ > 0) std::cout << "trials with a fault, counted as 0 rad: " << faults_ << '\n';
-    std::cout << "run.json, trials.csv and policy.json are in " << folder_.path.string() << '\n';
+    return results;
 }
 
 } // namespace twiddle::cli

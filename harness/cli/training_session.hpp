@@ -1,43 +1,66 @@
-// training_session.hpp: a training run from start, or from where it was interrupted, to its files.
+// training_session.hpp: a training run from start, or from where it was interrupted, to its files. Who runs it reports its
+// progress and decides when to stop.
 #pragma once
 
 #include "experiment/training.hpp"
 #include "record/csv.hpp"
-#include "record/progress.hpp"
 #include "record/run_json.hpp"
 #include "run_folder.hpp"
 #include "trial_log.hpp"
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace twiddle::cli
 {
 
+// What a complete run came to.
+struct TrainingSummary {
+    std::size_t first_trials = 0;
+    double mean_rotation_of_first_rad = 0;
+    std::size_t last_trials = 0;
+    double mean_rotation_of_last_rad = 0;
+    std::size_t faults = 0; // trials that count as 0 rad
+};
+
+// Call start_anew() or resume(), then run_trial() until is_done(), then finish(). All throw std::runtime_error with one sentence;
+// the folder then holds a run that can be resumed, as it does when the program ends in between.
 class TrainingSession
 {
   public:
-    // Throws std::runtime_error, with the folder untouched, if the run's settings are refused.
+    // Throws with the folder untouched if the run's settings are refused.
     TrainingSession(RunFolder folder, record::Run run, const std::filesystem::path &models);
 
-    // Train to the end, or until Ctrl-C. With `resume`, go on with the folder's unfinished log. Returns the exit status.
-    int run(bool resume);
+    // Start from the first trial; what the folder holds of an earlier start goes.
+    void start_anew();
+
+    // Go on with the folder's unfinished log: learn again what it holds, and check that it is the same. `advice` ends the sentence
+    // if it is not; the log then stays as it is.
+    void resume(const std::string &advice);
+
+    std::uint32_t trials_done() const;
+    bool is_done() const;
+    const std::vector<double> &rewards() const; // of all trials so far
+
+    // One more trial, learned from and logged.
+    experiment::TrialRow run_trial();
+
+    // Write the results.
+    TrainingSummary finish();
 
   private:
-    record::CsvWriter start_anew();
-    // Learn again what the unfinished log holds, check that it is the same, and open the log to go on.
-    record::CsvWriter recall();
-    void require_same(const experiment::TrialRow &row, const RecordedTrial &recorded) const;
-
+    void require_same(const experiment::TrialRow &row, const RecordedTrial &recorded, const std::string &advice) const;
     void take_note(const experiment::TrialRow &row);
-    int stop(int signal) const;
-    // Write the results and say them on standard output.
-    void finish(record::CsvWriter &log);
+    TrainingSummary summary() const;
 
     RunFolder folder_;
     record::Run run_;
     experiment::Training training_;
-    std::vector<double> rotation_rad_; // of all trials so far
+    std::optional<record::CsvWriter> log_; // open after the start
+    std::vector<double> rotation_rad_;     // of all trials so far
     std::vector<double> reward_;
     std::size_t faults_ = 0;
 };

@@ -16,6 +16,9 @@
 namespace twiddle::experiment
 {
 
+// Trials of one training, at most.
+constexpr std::uint32_t most_trials = 10'000'000;
+
 // What `specification` asks for, from the files in `models_dir`. Throws std::runtime_error with one sentence.
 TrialRunner make_trial_runner(const record::RunSpecification &specification, const std::filesystem::path &models_dir);
 

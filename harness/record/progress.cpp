@@ -14,6 +14,7 @@ namespace
 
 constexpr std::uint32_t bar_cells = 20;
 constexpr double redraw_interval_s = 0.1;
+constexpr double line_interval_s = 10; // of a sweep
 
 std::string fixed_text(double value, int decimals)
 {
@@ -22,15 +23,22 @@ std::string fixed_text(double value, int decimals)
     return text.str();
 }
 
-std::uint64_t share(const ProgressState &state, std::uint64_t whole)
+// The whole number of `whole` parts that `done` of `all` are.
+std::uint64_t share(std::uint64_t done, std::uint64_t all, std::uint64_t whole)
 {
-    return state.trials == 0 ? whole : whole * state.done / state.trials;
+    return all == 0 ? whole : whole * done / all;
 }
 
-std::string time_left(const ProgressState &state)
+std::string bar(std::uint64_t done, std::uint64_t all)
 {
-    if (!(state.trials_per_s > 0)) return duration_text(-1);
-    return duration_text((state.trials - state.done) / state.trials_per_s);
+    const auto filled = static_cast<std::size_t>(share(done, all, bar_cells));
+    return "[" + std::string(filled, '#') + std::string(bar_cells - filled, '.') + "]";
+}
+
+std::string time_left(std::uint64_t trials_left, double trials_per_s)
+{
+    if (!(trials_per_s > 0)) return duration_text(-1);
+    return duration_text(static_cast<double>(trials_left) / trials_per_s);
 }
 
 } // namespace
@@ -62,18 +70,19 @@ std::string duration_text(double seconds)
 
 std::string progress_bar(const ProgressState &state)
 {
-    const auto filled = static_cast<std::size_t>(share(state, bar_cells));
-    return "trial " + std::to_string(state.done) + "/" + std::to_string(state.trials) + " [" +
-           std::string(filled, '#') + std::string(bar_cells - filled, '.') + "] reward " + fixed_text(state.reward, 2) +
-           "  " + fixed_text(state.trials_per_s, 1) + " trials/s  " + time_left(state) + " left";
+    return "trial " + std::to_string(state.done) + "/" + std::to_string(state.trials) + " " +
+           bar(state.done, state.trials) + " reward " + fixed_text(state.reward, 2) + "  " +
+           fixed_text(state.trials_per_s, 1) + " trials/s  " +
+           time_left(state.trials - state.done, state.trials_per_s) + " left";
 }
 
 std::string progress_line(const ProgressState &state)
 {
     return "trial " + std::to_string(state.done) + " of " + std::to_string(state.trials) + " (" +
-           std::to_string(share(state, 100)) + " %): reward " + fixed_text(state.reward, 3) + " (mean of the last " +
-           std::to_string(std::min<std::size_t>(state.done, MovingMean::window)) + "), " +
-           fixed_text(state.trials_per_s, 1) + " trials/s, " + time_left(state) + " left";
+           std::to_string(share(state.done, state.trials, 100)) + " %): reward " + fixed_text(state.reward, 3) +
+           " (mean of the last " + std::to_string(std::min<std::size_t>(state.done, MovingMean::window)) + "), " +
+           fixed_text(state.trials_per_s, 1) + " trials/s, " +
+           time_left(state.trials - state.done, state.trials_per_s) + " left";
 }
 
 Progress::Progress(std::ostream &out, bool terminal, std::uint32_t trials, std::uint32_t already_done)
@@ -119,6 +128,48 @@ void Progress::draw(double elapsed_s)
         out_ << progress_line(state) << std::endl;
     }
     last_drawn_s_ = elapsed_s;
+}
+
+std::string sweep_bar(const SweepState &state)
+{
+    const std::string failed = state.failed > 0 ? "  " + std::to_string(state.failed) + " failed" : "";
+    return std::to_string(state.runs_done) + "/" + std::to_string(state.runs) + " runs " +
+           bar(state.trials_done, state.trials_done + state.trials_left) + failed + "  " +
+           fixed_text(state.trials_per_s, 1) + " trials/s  " + time_left(state.trials_left, state.trials_per_s) +
+           " left";
+}
+
+std::string sweep_line(const SweepState &state)
+{
+    const std::string failed = state.failed > 0 ? ", " + std::to_string(state.failed) + " failed" : "";
+    return std::to_string(state.runs_done) + " of " + std::to_string(state.runs) + " runs" + failed + " (" +
+           std::to_string(share(state.trials_done, state.trials_done + state.trials_left, 100)) +
+           " % of the trials): " + fixed_text(state.trials_per_s, 1) + " trials/s, " +
+           time_left(state.trials_left, state.trials_per_s) + " left";
+}
+
+SweepProgress::SweepProgress(std::ostream &out, bool terminal) : out_(out), terminal_(terminal)
+{
+}
+
+void SweepProgress::update(const SweepState &state, double elapsed_s)
+{
+    const bool last = terminal_ && state.trials_left == 0; // the bar that stays
+    if (!last && elapsed_s - last_drawn_s_ < (terminal_ ? redraw_interval_s : line_interval_s)) return;
+    if (terminal_) {
+        out_ << "\r\033[K" << sweep_bar(state) << std::flush;
+        on_bar_ = true;
+    } else {
+        out_ << sweep_line(state) << std::endl;
+    }
+    last_drawn_s_ = elapsed_s;
+}
+
+void SweepProgress::end_line()
+{
+    if (!on_bar_) return;
+    out_ << '\n' << std::flush;
+    on_bar_ = false;
 }
 
 } // namespace twiddle::record

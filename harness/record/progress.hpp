@@ -1,4 +1,4 @@
-// progress.hpp: how far a training run is: a bar that redraws itself on a terminal, a plain line every tenth elsewhere.
+// progress.hpp: how far a training run or a sweep of runs is: a bar that redraws itself on a terminal, plain lines elsewhere.
 #pragma once
 
 #include <array>
@@ -65,6 +65,39 @@ class Progress
     std::uint32_t done_;
     double last_drawn_s_ = -1;
     MovingMean rewards_;
+};
+
+// How far a sweep is.
+struct SweepState {
+    std::size_t runs_done = 0;
+    std::size_t runs = 0;
+    std::size_t failed = 0;        // runs
+    std::uint64_t trials_done = 0; // of all runs
+    std::uint64_t trials_left = 0; // those of failed runs are not made any more
+    double trials_per_s = 0;       // 0: not known yet
+};
+
+// As progress_bar() and progress_line().
+std::string sweep_bar(const SweepState &state);
+std::string sweep_line(const SweepState &state);
+
+class SweepProgress
+{
+  public:
+    SweepProgress(std::ostream &out, bool terminal);
+
+    // How things are `elapsed_s` after the start. Draws at most ten times a second and at the end, or a
+    // line every ten seconds.
+    void update(const SweepState &state, double elapsed_s);
+
+    // As Progress::end_line().
+    void end_line();
+
+  private:
+    std::ostream &out_;
+    bool terminal_;
+    bool on_bar_ = false;
+    double last_drawn_s_ = 0;
 };
 
 } // namespace twiddle::record

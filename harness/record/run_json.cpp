@@ -44,6 +44,12 @@ bool operator!=(const RunSpecification &a, const RunSpecification &b)
     return !(a == b);
 }
 
+std::filesystem::path folder_of(const RunSpecification &specification)
+{
+    const std::string model = specification.model + (specification.centre ? "" : "-no-centre");
+    return std::filesystem::path(specification.object) / model / ("seed-" + std::to_string(specification.seed));
+}
+
 void write_run(const std::filesystem::path &path, const Run &run)
 {
     const RunSpecification &specification = run.specification;

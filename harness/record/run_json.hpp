@@ -27,6 +27,9 @@ struct RunSpecification {
 bool operator==(const RunSpecification &a, const RunSpecification &b);
 bool operator!=(const RunSpecification &a, const RunSpecification &b);
 
+// OBJECT/MODEL[-no-centre]/seed-N, where the run's folder stands among those of other runs with the same settings.
+std::filesystem::path folder_of(const RunSpecification &specification);
+
 // run.json.
 struct Run {
     RunSpecification specification;

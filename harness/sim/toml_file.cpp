@@ -38,6 +38,31 @@ nlohmann::json json_of(const toml::node &node)
     return date.str();
 }
 
+// Note the lines of all that is in `node`, which stands at `place`.
+void note_lines(const toml::node &node, const nlohmann::json::json_pointer &place, std::map<std::string, int> &line)
+{
+    line[place.to_string()] = static_cast<int>(node.source().begin.line);
+    if (const auto *table = node.as_table()) {
+        for (const auto &[key, value] : *table)
+            note_lines(value, place / std::string(key.str()), line);
+    }
+    if (const auto *array = node.as_array()) {
+        for (std::size_t i = 0; i < array->size(); ++i)
+            note_lines((*array)[i], place / i, line);
+    }
+}
+
+toml::table parse_file(const std::filesystem::path &path)
+{
+    const std::string text = read_text_file(path);
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error &error) {
+        throw std::runtime_error(path.string() + ":" + std::to_string(error.source().begin.line) +
+                                 ": this is no valid TOML: " + std::string(error.description()));
+    }
+}
+
 // A word of letters, digits, - and _ that starts with a letter and means nothing in TOML.
 bool is_bare_word(const std::string &text)
 {
@@ -51,13 +76,15 @@ bool is_bare_word(const std::string &text)
 
 nlohmann::json read_toml(const std::filesystem::path &path)
 {
-    const std::string text = read_text_file(path);
-    try {
-        return json_of(toml::parse(text));
-    } catch (const toml::parse_error &error) {
-        throw std::runtime_error(path.string() + ":" + std::to_string(error.source().begin.line) +
-                                 ": this is no valid TOML: " + std::string(error.description()));
-    }
+    return json_of(parse_file(path));
+}
+
+TomlFile read_toml_with_lines(const std::filesystem::path &path)
+{
+    const toml::table table = parse_file(path);
+    TomlFile file{json_of(table), {}};
+    note_lines(table, nlohmann::json::json_pointer(), file.line);
+    return file;
 }
 
 nlohmann::json toml_value(const std::string &text)

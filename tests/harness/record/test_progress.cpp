@@ -91,4 +91,33 @@ TEST(Progress, resumed_run_counts_only_its_own_speed)
     EXPECT_EQ(out.str(), "trial 100 of 100 (100 %): reward 3.000 (mean of the last 100), 2.0 trials/s, 0:00 left\n");
 }
 
+// A sweep's bar and line name runs, failures, speed and time left. Expected: by hand; 3000 trials at 1500 trials/s are 2 s.
+TEST(SweepProgress, bar_and_line_name_runs_failures_speed_and_time_left)
+{
+    SweepState state{1, 4, 0, 1000, 3000, 1500};
+    EXPECT_EQ(sweep_bar(state), "1/4 runs [#####...............]  1500.0 trials/s  0:02 left");
+    EXPECT_EQ(sweep_line(state), "1 of 4 runs (25 % of the trials): 1500.0 trials/s, 0:02 left");
+    state.failed = 2;
+    EXPECT_EQ(sweep_bar(state), "1/4 runs [#####...............]  2 failed  1500.0 trials/s  0:02 left");
+    EXPECT_EQ(sweep_line(state), "1 of 4 runs, 2 failed (25 % of the trials): 1500.0 trials/s, 0:02 left");
+}
+
+// Off a terminal there is a plain line every ten seconds, on one a bar at most ten times a second, in place. Expected: of 60 s of
+// updates at 16 Hz, every second one draws the bar, 480, and the end does.
+TEST(SweepProgress, draws_at_its_intervals)
+{
+    for (const bool terminal : {false, true}) {
+        std::ostringstream out;
+        SweepProgress progress(out, terminal);
+        for (int i = 1; i <= 960; ++i) {
+            progress.update({1, 4, 0, 1000, 3000, 1500}, i / 16.0);
+        }
+        progress.update({4, 4, 0, 4000, 0, 1500}, 60.01);
+        progress.end_line();
+        const std::string text = out.str();
+        EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), terminal ? 1 : 6);
+        EXPECT_EQ(std::count(text.begin(), text.end(), '\r'), terminal ? 481 : 0);
+    }
+}
+
 } // namespace

@@ -1,0 +1,119 @@
+#include "commands.hpp"
+#include "errors.hpp"
+#include "executable.hpp"
+#include "experiment/sweep_manifest.hpp"
+#include "options.hpp"
+#include "stop_request.hpp"
+#include "sweep_folder.hpp"
+#include "sweep_session.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+#include <thread>
+
+namespace twiddle::cli
+{
+
+namespace
+{
+
+constexpr std::uint64_t most_jobs = 1024;
+
+struct SweepOptions {
+    std::string manifest;
+    std::string out;
+    std::string jobs;
+    std::string only;
+    std::string models_dir;
+};
+
+experiment::SweepPlan read_plan(const std::string &manifest, const std::filesystem::path &models)
+{
+    const RunOptions options;
+    record::RunSpecification defaults;
+    defaults.setup = options.setup;
+    defaults.stepper = options.stepper;
+    defaults.hand = options.hand;
+    defaults.number = own_number();
+    try {
+        return experiment::read_sweep_manifest(manifest, models, defaults);
+    } catch (const std::runtime_error &error) {
+        throw UsageError(error.what()); // the manifest is the user's choice
+    }
+}
+
+// The command that does run `index` alone.
+std::string command_of(const std::string &program, const SweepOptions &options, std::size_t index)
+{
+    std::vector<std::string> arguments = {program,     "sweep",  options.manifest,     "--out",
+                                          options.out, "--only", std::to_string(index)};
+    if (!options.models_dir.empty()) arguments.insert(arguments.end(), {"--models", options.models_dir});
+    return shell_line(arguments);
+}
+
+// The runs to do, by their index.
+std::vector<std::size_t> chosen_runs(const SweepOptions &options, std::size_t runs)
+{
+    if (!options.only.empty()) return {static_cast<std::size_t>(whole_number("--only", options.only, 0, runs - 1))};
+    std::vector<std::size_t> all(runs);
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+std::string counted(std::size_t number, std::size_t all)
+{
+    return std::to_string(number) + " of " + std::to_string(all) + (all == 1 ? " run" : " runs");
+}
+
+int conclude(const SweepOutcome &outcome, std::size_t runs, const std::string &out)
+{
+    if (stop_signal() != 0 && outcome.complete + outcome.failed < runs) {
+        const std::string failed =
+            outcome.failed > 0 ? ", " + std::to_string(outcome.failed) + " failed (" + outcome.first_failure + ")" : "";
+        std::cerr << "twiddle: stopped with " << counted(outcome.complete, runs) << " complete" << failed
+                  << "; the same command goes on\n";
+        return 128 + stop_signal(); // as a shell reports it
+    }
+    if (outcome.failed > 0)
+        throw std::runtime_error(counted(outcome.failed, runs) + " failed; the first: " + outcome.first_failure);
+    if (outcome.complete < runs)
+        throw std::runtime_error(counted(outcome.complete, runs) + " complete, the others were stopped");
+    std::cout << counted(runs, runs) << (runs == 1 ? " is" : " are") << " complete in " << out;
+    if (outcome.kept > 0) std::cout << ", " << outcome.kept << (outcome.kept == 1 ? " was" : " were") << " before";
+    std::cout << '\n';
+    return 0;
+}
+
+int sweep(const SweepOptions &options, const std::vector<std::string> &arguments)
+{
+    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+    const std::uint64_t jobs = options.jobs.empty() ? processors : whole_number("--jobs", options.jobs, 1, most_jobs);
+    const std::filesystem::path models = models_dir(options.models_dir);
+    const experiment::SweepPlan plan = read_plan(options.manifest, models);
+    const std::vector<std::size_t> chosen = chosen_runs(options, plan.runs.size());
+    claim_sweep(options.out, experiment::sweep_json(plan));
+    SweepSession session(plan, options.out, models,
+                         [&](std::size_t index) { return command_of(arguments.front(), options, index); });
+    return conclude(session.run(chosen, static_cast<std::size_t>(jobs)), chosen.size(), options.out);
+}
+
+} // namespace
+
+void add_sweep(CLI::App &app, Session &session)
+{
+    CLI::App *command = app.add_subcommand(
+        "sweep", "Learn many skills, as a manifest lists them; goes on where an earlier start was stopped");
+    const auto options = std::make_shared<SweepOptions>();
+    command->add_option("MANIFEST", options->manifest, "A .toml file as those in models/sweeps")->required();
+    command->add_option("--out", options->out, "Folder of the sweep")->required()->type_name("DIR");
+    command->add_option("--jobs", options->jobs, "Runs at a time [one a processor]")->type_name("N");
+    command->add_option("--only", options->only, "Do one run alone, by its index in sweep.json")->type_name("INDEX");
+    add_models_option(*command, options->models_dir);
+    command->callback(
+        [options, &session] { session.run = [options, &session] { return sweep(*options, session.arguments); }; });
+}
+
+} // namespace twiddle::cli

@@ -1,0 +1,35 @@
+// statistics.hpp: what is said about a handful of runs: mean, spread, how sure the mean is, and whether two groups differ.
+//
+// Values are plain numbers; each result has the unit of its input, p-values have none. Every input must be finite.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace twiddle::experiment
+{
+
+// At least one value.
+double mean(const std::vector<double> &values);
+
+// Of a sample, with n - 1; at least two values.
+double standard_deviation(const std::vector<double> &values);
+
+struct Interval {
+    double lower = 0;
+    double upper = 0;
+};
+
+constexpr std::size_t bootstrap_resamples = 10'000;
+
+// The 95 % percentile bootstrap interval of the mean (Efron and Tibshirani, "An Introduction to the Bootstrap", 1993, ch. 13):
+// the 2.5 % and 97.5 % quantiles of the means of `bootstrap_resamples` resamples. At least two values; the same values in the
+// same order give the same interval. It is too narrow for few values: for four of a normal distribution it covers the mean in 81 of
+// 100 samples (|t| of 3 degrees of freedom is below 1.96 sqrt(3 / 4); measured over 2,000 samples, 80.6 %).
+Interval bootstrap_interval_of_mean(const std::vector<double> &values);
+
+// The p-values after Holm's step-down correction (Scandinavian Journal of Statistics 6, 1979), in the order given: the i-th
+// smallest of m times m + 1 - i, never below a smaller one's, at most 1.
+std::vector<double> holm_corrected(const std::vector<double> &p_values);
+
+} // namespace twiddle::experiment

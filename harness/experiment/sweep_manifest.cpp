@@ -1,0 +1,331 @@
+#include "sweep_manifest.hpp"
+
+#include "models.hpp"
+#include "record/versions.hpp"
+#include "sim/object.hpp"
+#include "sim/setup.hpp"
+#include "sim/toml_file.hpp"
+#include "sim/world.hpp"
+#include "training.hpp"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+namespace twiddle::experiment
+{
+
+namespace
+{
+
+using nlohmann::json;
+using Pointer = json::json_pointer;
+using Names = std::vector<std::string>;
+
+constexpr std::int64_t most_seeds = 100'000;
+
+const Names manifest_keys = {"trials", "setup", "stepper", "runs"};
+const Names block_keys = {"objects", "models", "centre", "seeds", "variant", "set"};
+
+bool contains(const Names &names, const std::string &name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string list_of(const Names &names)
+{
+    std::string list;
+    for (const std::string &name : names) {
+        list += (list.empty() ? "" : ", ") + name;
+    }
+    return list;
+}
+
+// `value` as an error shows it.
+std::string shown(const json &value)
+{
+    return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+// The manifest's values, with sentences about what is wrong with them.
+class Manifest
+{
+  public:
+    explicit Manifest(const std::filesystem::path &path) : path_(path), file_(sim::read_toml_with_lines(path))
+    {
+    }
+
+    // Throws "FILE:LINE: what", with the line of `place`, or of what is around it.
+    [[noreturn]] void fail(Pointer place, const std::string &what) const
+    {
+        while (!place.empty() && file_.line.count(place.to_string()) == 0) {
+            place.pop_back();
+        }
+        const int line = place.empty() ? 1 : file_.line.at(place.to_string());
+        throw std::runtime_error(path_.string() + ":" + std::to_string(line) + ": " + what);
+    }
+
+    // Complain of the value at `place`, or that there is none.
+    [[noreturn]] void fail_value(const Pointer &place, const std::string &expected) const
+    {
+        const std::string &key = place.back();
+        if (!has(place)) fail(place, key + " is missing; expected " + expected);
+        fail(place, key + " is " + shown(file_.values[place]) + "; expected " + expected);
+    }
+
+    bool has(const Pointer &place) const
+    {
+        return file_.values.contains(place);
+    }
+
+    const json &at(const Pointer &place, const std::string &expected) const
+    {
+        if (!has(place)) fail_value(place, expected);
+        return file_.values[place];
+    }
+
+    void require_keys(const Pointer &place, const Names &known) const
+    {
+        for (const auto &[key, value] : file_.values[place].items()) {
+            if (!contains(known, key))
+                fail(place / key, "there is no key \"" + key + "\" here; expected one of " + list_of(known));
+        }
+    }
+
+    std::int64_t whole_number(const Pointer &place, std::int64_t upper) const
+    {
+        const std::string expected = "a whole number from 1 to " + std::to_string(upper);
+        const json &value = at(place, expected);
+        if (!value.is_number_integer() || value < json(1) || value > json(upper)) fail_value(place, expected);
+        return value.get<std::int64_t>();
+    }
+
+    // One of `known`; `silent` where the manifest says nothing.
+    std::string name(const Pointer &place, const Names &known, const std::string &silent) const
+    {
+        if (!has(place)) return silent;
+        const json &value = file_.values[place];
+        if (!value.is_string() || !contains(known, value.get<std::string>()))
+            fail_value(place, "one of " + list_of(known));
+        return value.get<std::string>();
+    }
+
+    // "all", or a list of some of `known`.
+    Names names(const Pointer &place, const Names &known) const
+    {
+        const std::string expected = "\"all\", or a list of some of " + list_of(known);
+        const json &value = at(place, expected);
+        if (value == json("all")) return known;
+        const bool is_list = value.is_array() && !value.empty();
+        if (!is_list) fail_value(place, expected);
+        Names found;
+        for (const json &each : value) {
+            if (!each.is_string() || !contains(known, each.get<std::string>()))
+                fail(place, place.back() + " holds " + shown(each) + "; expected " + expected);
+            found.push_back(each.get<std::string>());
+        }
+        return found;
+    }
+
+    std::vector<bool> flags(const Pointer &place) const
+    {
+        if (!has(place)) return {true};
+        const json &value = file_.values[place];
+        const bool fits = value.is_array() && !value.empty() &&
+                          std::all_of(value.begin(), value.end(), [](const json &each) { return each.is_boolean(); });
+        if (!fits) fail_value(place, "[true], [false] or [true, false]");
+        return value.get<std::vector<bool>>();
+    }
+
+  private:
+    std::filesystem::path path_;
+    sim::TomlFile file_;
+};
+
+// Makes the plan of one manifest.
+class Planner
+{
+  public:
+    Planner(const std::filesystem::path &path, const std::filesystem::path &models_dir,
+            const record::RunSpecification &defaults)
+        : manifest_(path), objects_(sim::object_names(models_dir)), models_(model_names())
+    {
+        manifest_.require_keys(Pointer(), manifest_keys);
+        plan_.name = path.stem().string();
+        plan_.common = defaults;
+        plan_.common.trials =
+            static_cast<std::uint32_t>(manifest_.whole_number(Pointer("/trials"), std::int64_t{most_trials}));
+        plan_.common.stepper = manifest_.name(Pointer("/stepper"), sim::stepper_names(), defaults.stepper);
+        load_setup(path.parent_path(), models_dir);
+    }
+
+    SweepPlan plan() &&
+    {
+        const Pointer place("/runs");
+        const std::string expected = "one block [[runs]] or more";
+        const json &blocks = manifest_.at(place, expected);
+        if (!blocks.is_array() || blocks.empty()) manifest_.fail_value(place, expected);
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            if (!blocks[i].is_object()) manifest_.fail_value(place, expected);
+            add_block(place / i);
+        }
+        return std::move(plan_);
+    }
+
+  private:
+    void load_setup(const std::filesystem::path &folder, const std::filesystem::path &models_dir)
+    {
+        const Pointer place("/setup");
+        std::string name = plan_.common.setup;
+        if (manifest_.has(place)) {
+            const json &value = manifest_.at(place, "");
+            if (!value.is_string()) manifest_.fail_value(place, "the name of a set-up");
+            name = value.get<std::string>();
+            if (std::filesystem::path(name).extension() == ".toml") name = (folder / name).string();
+        }
+        try {
+            const sim::Setup setup = sim::load_setup(models_dir, name);
+            plan_.common.setup = setup.name;
+            plan_.common.settings = setup.settings;
+        } catch (const std::runtime_error &error) {
+            manifest_.fail(place, std::string("setup: ") + error.what());
+        }
+    }
+
+    // The name of the block's variant, which becomes a folder; empty if it has none.
+    std::string variant(const Pointer &block) const
+    {
+        const Pointer place = block / "variant";
+        if (!manifest_.has(place)) return "";
+        const json &value = manifest_.at(place, "");
+        const std::string name = value.is_string() ? value.get<std::string>() : "";
+        const auto is_part = [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
+        };
+        if (name.empty() || name[0] == '.' || name[0] == '-' || !std::all_of(name.begin(), name.end(), is_part))
+            manifest_.fail_value(place, "a name of a-z, 0-9, . and - that starts with a letter or digit");
+        if (contains(objects_, name)) manifest_.fail_value(place, "another name than an object's");
+        return name;
+    }
+
+    // The settings in which the block differs, as {"section.key": value}.
+    record::Json overrides(const Pointer &block) const
+    {
+        const Pointer place = block / "set";
+        record::Json found = record::Json::object();
+        if (!manifest_.has(place)) return found;
+        const std::string expected = "{ \"section.key\" = value }, the names in quotes";
+        const json &table = manifest_.at(place, expected);
+        if (!table.is_object()) manifest_.fail_value(place, expected);
+        for (const auto &[name, value] : table.items()) {
+            if (name.find('.') == std::string::npos)
+                manifest_.fail(place, "set: \"" + name + "\" is no setting; expected " + expected);
+            found[name] = value;
+        }
+        return found;
+    }
+
+    // The settings of variant `name`, with the overrides that its first block names.
+    json settings(const Pointer &block, const std::string &name)
+    {
+        const record::Json changes = overrides(block);
+        if (name.empty() && !changes.empty())
+            manifest_.fail(block / "set",
+                           "set without a variant; expected variant = \"NAME\" for the folder of these runs");
+        const auto [known, is_new] = plan_.overrides.emplace(name, changes);
+        if (!is_new && known->second != changes)
+            manifest_.fail(block / "variant",
+                           "variant \"" + name + "\" has another set than before; expected the same");
+        json merged = plan_.common.settings;
+        for (const auto &[setting, value] : changes.items()) {
+            const std::size_t dot = setting.find('.');
+            merged[setting.substr(0, dot)][setting.substr(dot + 1)] = value;
+        }
+        try {
+            return sim::setup_from_settings(merged, plan_.common.setup, "set").settings;
+        } catch (const std::runtime_error &error) {
+            manifest_.fail(block / "set", error.what());
+        }
+    }
+
+    void add_block(const Pointer &block)
+    {
+        manifest_.require_keys(block, block_keys);
+        PlannedRun run;
+        run.variant = variant(block);
+        run.specification = plan_.common;
+        run.specification.settings = settings(block, run.variant);
+        const std::vector<bool> centres = manifest_.flags(block / "centre");
+        const auto seeds = static_cast<std::uint64_t>(manifest_.whole_number(block / "seeds", most_seeds));
+        const Names models = manifest_.names(block / "models", models_);
+        for (const std::string &object : manifest_.names(block / "objects", objects_)) {
+            for (const std::string &model : models) {
+                for (const bool centre : centres) {
+                    run.specification.object = object;
+                    run.specification.model = model;
+                    run.specification.centre = centre;
+                    add_seeds(block, run, seeds);
+                }
+            }
+        }
+    }
+
+    void add_seeds(const Pointer &block, PlannedRun run, std::uint64_t seeds)
+    {
+        for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+            run.specification.seed = seed;
+            const std::filesystem::path variant = run.variant;
+            run.folder = (variant / record::folder_of(run.specification)).string();
+            if (!folders_.insert(run.folder).second)
+                manifest_.fail(block, "run " + run.folder + " is listed twice; expected every run once");
+            plan_.runs.push_back(run);
+        }
+    }
+
+    Manifest manifest_;
+    Names objects_;
+    Names models_;
+    SweepPlan plan_;
+    std::set<std::string> folders_;
+};
+
+} // namespace
+
+SweepPlan read_sweep_manifest(const std::filesystem::path &path, const std::filesystem::path &models_dir,
+                              const record::RunSpecification &defaults)
+{
+    return Planner(path, models_dir, defaults).plan();
+}
+
+record::Json sweep_json(const SweepPlan &plan)
+{
+    record::Json json;
+    json["format"] = 1;
+    json["sweep"] = plan.name;
+    json["version"] = record::version_line();
+    json["trials"] = plan.common.trials;
+    json["hand"] = plan.common.hand;
+    json["stepper"] = plan.common.stepper;
+    json["number"] = plan.common.number;
+    json["setup"] = plan.common.setup;
+    json["settings"] = plan.common.settings;
+    json["variants"] = record::Json::object();
+    for (const auto &[variant, changes] : plan.overrides) {
+        if (!variant.empty()) json["variants"][variant] = changes;
+    }
+    json["runs"] = record::Json::array();
+    for (std::size_t index = 0; index < plan.runs.size(); ++index) {
+        const PlannedRun &run = plan.runs[index];
+        const record::RunSpecification &specification = run.specification;
+        json["runs"].push_back({{"index", index},
+                                {"folder", run.folder},
+                                {"object", specification.object},
+                                {"model", specification.model},
+                                {"centre", specification.centre},
+                                {"seed", specification.seed},
+                                {"variant", run.variant}});
+    }
+    return json;
+}
+
+} // namespace twiddle::experiment

@@ -1,0 +1,266 @@
+#include "sweep_tables_text.hpp"
+
+#include "mann_whitney.hpp"
+#include "record/number_text.hpp"
+#include "record/versions.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace twiddle::experiment
+{
+
+namespace
+{
+
+using Texts = std::vector<std::string>;
+
+const Texts cell_columns = {"variant",  "object", "model",    "centre",    "runs",
+                            "mean_rad", "sd_rad", "best_rad", "lower_rad", "upper_rad"};
+
+const std::string bootstrap_text = "95 % percentile bootstrap interval of the mean, " +
+                                   std::to_string(bootstrap_resamples) + " resamples from a fixed seed";
+
+const std::string exact_text = "exact without ties and up to " + std::to_string(exact_group_size) +
+                               " runs a cell, else by the normal approximation corrected for ties";
+
+Texts joined(Texts first, const Texts &second)
+{
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+// Which trials count.
+std::string last_trials_text(const Sweep &sweep)
+{
+    const std::string trials = std::to_string(sweep.trials);
+    if (sweep.trials < most_last_trials)
+        return "over all " + trials + " trials, since the runs have fewer than " + std::to_string(most_last_trials);
+    return "over the last " + std::to_string(last_trials(sweep)) + " of " + trials + " trials";
+}
+
+std::string rotation_text(const Sweep &sweep)
+{
+    return "a run counts with its mean rotation in rad " + last_trials_text(sweep);
+}
+
+std::string origin_text(const Sweep &sweep)
+{
+    return "sweep " + sweep.name + " of " + sweep.version + ", summarized by " + record::version_line();
+}
+
+std::string csv_line(const Texts &cells)
+{
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        line += (i > 0 ? "," : "") + cells[i];
+    }
+    return line + "\n";
+}
+
+std::string csv_text(const Texts &comments, const Texts &columns, const std::vector<Texts> &rows)
+{
+    std::string text;
+    for (const std::string &comment : comments) {
+        text += "# " + comment + "\n";
+    }
+    text += csv_line(columns);
+    for (const Texts &row : rows) {
+        text += csv_line(row);
+    }
+    return text;
+}
+
+std::string full(const std::optional<double> &value)
+{
+    return value ? record::number_text(*value) : "";
+}
+
+std::string truth(bool value)
+{
+    return value ? "true" : "false";
+}
+
+Texts csv_cells(const CellSummary &cell)
+{
+    const std::optional<Interval> &interval = cell.interval_rad;
+    return {cell.variant,
+            cell.object,
+            cell.model,
+            truth(cell.centre),
+            std::to_string(cell.runs),
+            full(cell.mean_rad),
+            full(cell.sd_rad),
+            full(cell.best_rad),
+            interval ? full(interval->lower) : "",
+            interval ? full(interval->upper) : ""};
+}
+
+std::string fixed(double value, int digits)
+{
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::fixed << std::setprecision(digits) << value;
+    return text.str();
+}
+
+std::string p_text(double p)
+{
+    return p < 0.0001 ? "< 0.0001" : fixed(p, 4);
+}
+
+std::string markdown_row(const Texts &cells)
+{
+    std::string row = "|";
+    for (const std::string &cell : cells) {
+        row += " " + cell + " |";
+    }
+    return row + "\n";
+}
+
+std::string markdown_table(const Texts &columns, const std::vector<Texts> &rows)
+{
+    if (rows.empty()) return "The sweep has no runs of this table.\n";
+    std::string text = markdown_row(columns) + markdown_row(Texts(columns.size(), "---"));
+    for (const Texts &row : rows) {
+        text += markdown_row(row);
+    }
+    return text;
+}
+
+const Texts markdown_cell_columns = {"variant",       "object", "model", "rotation (rad): mean ± sd (best)",
+                                     "95 % interval", "runs"};
+
+std::string model_text(const CellSummary &cell)
+{
+    std::string name = cell.model;
+    std::transform(name.begin(), name.end(), name.begin(), [](char letter) {
+        return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 32) : letter;
+    });
+    return name + (cell.centre ? "" : " without centre");
+}
+
+Texts markdown_cells(const CellSummary &cell)
+{
+    const std::optional<Interval> &interval = cell.interval_rad;
+    return {cell.variant.empty() ? "-" : cell.variant,
+            cell.object,
+            model_text(cell),
+            fixed(cell.mean_rad, 3) + " ± " + (cell.sd_rad ? fixed(*cell.sd_rad, 3) : "-") + " (" +
+                fixed(cell.best_rad, 3) + ")",
+            interval ? fixed(interval->lower, 3) + " to " + fixed(interval->upper, 3) : "-",
+            std::to_string(cell.runs)};
+}
+
+std::string paper_text(const PaperCell &paper)
+{
+    return paper.mean.empty() ? "-" : paper.mean + " ± " + paper.sd + " (" + paper.best + ")";
+}
+
+std::string comparison_text(const ModelRow &row)
+{
+    if (row.winner) return "winner";
+    return row.comparison ? p_text(row.comparison->p_holm) + " (" + p_text(row.comparison->p) + ")" : "-";
+}
+
+std::string table1_markdown(const SweepTables &tables)
+{
+    std::vector<Texts> rows;
+    for (const CentreRow &row : tables.centre) {
+        rows.push_back(joined(markdown_cells(row.cell),
+                              {row.p ? p_text(*row.p) : "-", row.paper_reward.empty() ? "-" : row.paper_reward}));
+    }
+    return markdown_table(joined(markdown_cell_columns, {"p, with against without", "paper's reward"}), rows);
+}
+
+std::string table2_markdown(const SweepTables &tables)
+{
+    std::vector<Texts> rows;
+    for (const ModelRow &row : tables.models) {
+        rows.push_back(joined(markdown_cells(row.cell), {comparison_text(row), paper_text(row.paper)}));
+    }
+    return markdown_table(joined(markdown_cell_columns, {"p against the winner (uncorrected)", "paper's reward"}),
+                          rows);
+}
+
+// How small a corrected p can be: with few runs, no difference however large is significant.
+std::string smallest_p_sentence(const SweepTables &tables)
+{
+    std::optional<double> smallest;
+    for (const ModelRow &row : tables.models) {
+        if (row.comparison) smallest = std::min(smallest.value_or(1.0), row.comparison->smallest_p_holm);
+    }
+    if (!smallest) return "";
+    return " The smallest corrected p that these numbers of runs can give, without ties, is " + p_text(*smallest) + ".";
+}
+
+std::string definitions(const Sweep &sweep, const SweepTables &tables)
+{
+    Texts lines;
+    lines.push_back(
+        "rotation: " + rotation_text(sweep) +
+        "; mean, standard deviation (n - 1) and best are over the runs of a cell, which differ in the seed alone.");
+    lines.push_back("95 % interval: " + bootstrap_text +
+                    ". With few runs it is too narrow: with four it covers the true mean about 81 times in 100.");
+    lines.push_back("winner: the highest mean of the object's models. The same runs choose it and are then compared, "
+                    "which favours small p.");
+    lines.push_back("p: two-sided Mann-Whitney U test, " + exact_text +
+                    "; against the winner also corrected by Holm over the object's comparisons." +
+                    smallest_p_sentence(tables));
+    lines.push_back(
+        "paper's reward: as printed, Table 1 one value, Table 2 mean ± sd (best) of four runs; its unit is not "
+        "stated, so compare the order of the cells, not the values.");
+    std::string text = "## How each number is defined\n\n";
+    for (const std::string &line : lines) {
+        text += "- " + line + "\n";
+    }
+    return text;
+}
+
+} // namespace
+
+std::string table1_csv(const Sweep &sweep, const SweepTables &tables)
+{
+    std::vector<Texts> rows;
+    for (const CentreRow &row : tables.centre) {
+        rows.push_back(joined(csv_cells(row.cell), {full(row.p), row.paper_reward}));
+    }
+    return csv_text(
+        {"Table 1: CPG-H with and without the parameters that set the centres of oscillation, beside the "
+         "paper's; other models where the sweep has them without centre",
+         rotation_text(sweep) + "; sd_rad: n - 1", "lower_rad, upper_rad: " + bootstrap_text,
+         "p: two-sided Mann-Whitney U test of without against with centre, " + exact_text + "; not corrected",
+         "paper_reward: as printed, unit not stated", origin_text(sweep)},
+        joined(cell_columns, {"p", "paper_reward"}), rows);
+}
+
+std::string table2_csv(const Sweep &sweep, const SweepTables &tables)
+{
+    std::vector<Texts> rows;
+    for (const ModelRow &row : tables.models) {
+        const std::optional<Comparison> &comparison = row.comparison;
+        rows.push_back(joined(csv_cells(row.cell), {truth(row.winner), comparison ? full(comparison->p) : "",
+                                                    comparison ? full(comparison->p_holm) : "", row.paper.mean,
+                                                    row.paper.sd, row.paper.best}));
+    }
+    return csv_text({"Table 2: the four models with centre, beside the paper's",
+                     rotation_text(sweep) + "; sd_rad: n - 1", "lower_rad, upper_rad: " + bootstrap_text,
+                     "winner: the highest mean of the object's models",
+                     "p: two-sided Mann-Whitney U test against the winner, " + exact_text +
+                         "; p_holm: corrected over the object's comparisons",
+                     "paper_mean, paper_sd, paper_best: reward as printed, unit not stated", origin_text(sweep)},
+                    joined(cell_columns, {"winner", "p", "p_holm", "paper_mean", "paper_sd", "paper_best"}), rows);
+}
+
+std::string tables_markdown(const Sweep &sweep, const SweepTables &tables)
+{
+    return "# Tables of the sweep " + sweep.name + "\n\n" + origin_text(sweep) +
+           ". Rotations in rad; definitions below.\n\n"
+           "## Table 1: with and without centre\n\n" +
+           table1_markdown(tables) + "\n## Table 2: the four models\n\n" + table2_markdown(tables) + "\n" +
+           definitions(sweep, tables);
+}
+
+} // namespace twiddle::experiment
