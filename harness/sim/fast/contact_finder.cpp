@@ -15,8 +15,6 @@ constexpr double reserve_m = 0.001;
 // Contacts of a finger nearer to each other than this are one: neighbouring capsules share an end sphere.
 constexpr double same_place_m = 1e-4;
 
-constexpr int most_capsules = 8; // of one joint
-
 // A vector or a frame, seen from axes turned by `angle` about z.
 btVector3 turned_back(const SineCosine &angle, const btVector3 &v)
 {
@@ -93,7 +91,7 @@ void ContactFinder::find(const std::array<FingerState, 2> &state, double object_
 void ContactFinder::find_of_joint(const Scene &scene, int joint, Contacts &contacts) const
 {
     const CarriedCapsules &carried = fingers_[scene.finger].carried(joint);
-    std::array<btVector3, most_capsules + 1> p_m;
+    std::array<btVector3, 2 * most_capsules> p_m;
     for (std::size_t i = 0; i < carried.points_m.size(); i++)
         p_m[i] = scene.frame[joint].point(carried.points_m[i]);
     for (std::size_t capsule = 0; capsule < carried.capsules.size(); capsule++) {

@@ -10,6 +10,9 @@
 namespace twiddle::sim
 {
 
+// That one joint may carry.
+constexpr int most_capsules = 8;
+
 class ContactFinder
 {
   public:

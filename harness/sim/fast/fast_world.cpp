@@ -53,9 +53,12 @@ FingerModel finger_model(ArticulatedHand &hand, Joint first, Joint second, const
     if (hand.body().getParent(first_link) != -1 || hand.body().getParent(second_link) != first_link)
         refuse(std::string("a hand whose joint ") + joint_urdf_names[second] + " does not hang on " +
                joint_urdf_names[first] + ", and that on the palm");
-    return {{first, second},
-            FingerDynamics(hand, first_link, second_link, gravity_palm_m_s2(physics)),
-            FingerKinematics(hand, first_link, second_link, p_palm_centre_m)};
+    const FingerKinematics kinematics(hand, first_link, second_link, p_palm_centre_m);
+    for (const int joint : {0, 1}) {
+        if (kinematics.carried(joint).capsules.size() > most_capsules)
+            refuse("a hand with more than " + std::to_string(most_capsules) + " rigid links on one joint");
+    }
+    return {{first, second}, FingerDynamics(hand, first_link, second_link, gravity_palm_m_s2(physics)), kinematics};
 }
 
 JointStops joint_stops(const HandModel &model, const std::array<std::size_t, 2> &joint, double error_reduction,
