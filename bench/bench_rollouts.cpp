@@ -1,5 +1,7 @@
 // Trials of CPG-C with random parameters, for a comparison with another engine (peers/): what the hand is asked to do,
 // what it did, how fast that was computed, and the mechanics of the hand as Bullet sees them. Prints CSV.
+#include "work.hpp"
+
 #include "experiment/trial.hpp"
 #include "sim/articulated_hand.hpp"
 
@@ -46,17 +48,6 @@ sim::HandModel load_hand()
     return sim::read_hand_model(models_dir / "icub_right_hand.urdf");
 }
 
-// `options.sets` parameter vectors of CPG-C, the same for the same seed.
-std::vector<Parameters> random_parameters(const Options &options)
-{
-    std::mt19937 random(options.seed);
-    std::uniform_real_distribution<double> uniform(0.001, 0.999);
-    std::vector<Parameters> sets(options.sets, Parameters(twd_model_parameters(&twd_model_c, true)));
-    for (Parameters &set : sets)
-        std::generate(set.begin(), set.end(), [&] { return static_cast<twd_num>(uniform(random)); });
-    return sets;
-}
-
 TrialRunner make_runner(const Options &options)
 {
     return TrialRunner(sim::stepper_of_name(options.stepper), load_hand(), sim::read_object(models_dir, options.object),
@@ -77,7 +68,7 @@ void print_desired(const Options &options)
     if (twd_controller_init(&controller, &config) != TWD_OK)
         throw std::runtime_error("the controller refuses the set-up");
     std::puts("fei_rad,aai_rad,fet_rad,ot_rad");
-    for (const Parameters &set : random_parameters(options)) {
+    for (const Parameters &set : bench::random_parameters(twd_model_c, options.sets, options.seed)) {
         if (twd_controller_start(&controller, set.data(), set.size()) != TWD_OK)
             throw std::runtime_error("the controller refuses random parameters");
         for (int step = 0; step < trial_steps; ++step) {
@@ -94,7 +85,7 @@ void print_rotations(const Options &options)
 {
     TrialRunner runner = make_runner(options);
     std::puts("rotation_rad");
-    for (const Parameters &set : random_parameters(options)) {
+    for (const Parameters &set : bench::random_parameters(twd_model_c, options.sets, options.seed)) {
         const TrialResult result = runner.run(set);
         std::printf("%.17g\n", result.rotation_rad);
         if (!result.fault.empty()) std::fprintf(stderr, "%s\n", result.fault.c_str());
@@ -105,7 +96,7 @@ void print_rotations(const Options &options)
 void print_speed(const Options &options)
 {
     TrialRunner runner = make_runner(options);
-    const auto sets = random_parameters(options);
+    const auto sets = bench::random_parameters(twd_model_c, options.sets, options.seed);
     runner.run(sets.front()); // warm caches and clocks
     const auto start = std::chrono::steady_clock::now();
     for (const Parameters &set : sets)
