@@ -102,6 +102,12 @@ paper: build ## train all runs of a sweep into results/SWEEP and make its tables
 	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out results/$(SWEEP) --jobs $(JOBS)
 	$(TWIDDLE) summarize results/$(SWEEP)
 
+CALIBRATION := results/calibration
+
+.PHONY: calibrate
+calibrate: build ## search a set-up that comes near the paper's tables (up to two hours; goes on where it was stopped)
+	$(TWIDDLE) calibrate models/calibrations/paper.toml --out $(CALIBRATION) --jobs $(JOBS)
+
 # --- building ---
 
 deps:

@@ -18,6 +18,7 @@ struct Session {
 
 void add_train(CLI::App &app, Session &session);
 void add_sweep(CLI::App &app, Session &session);
+void add_calibrate(CLI::App &app, Session &session);
 void add_replay(CLI::App &app, Session &session);
 void add_rollout(CLI::App &app, Session &session);
 void add_summarize(CLI::App &app, Session &session);

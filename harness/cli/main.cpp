@@ -31,6 +31,7 @@ int run(int argc, char **argv)
     app.set_version_flag("--version", twiddle::record::version_line());
     add_train(app, session);
     add_sweep(app, session);
+    add_calibrate(app, session);
     add_replay(app, session);
     add_rollout(app, session);
     add_summarize(app, session);
@@ -43,7 +44,8 @@ int run(int argc, char **argv)
         return complain(std::string(error.what()) + "; see --help", exit_wrong_use);
     }
     if (!session.run)
-        throw UsageError("a command is missing: train, sweep, replay, rollout, summarize or info; see --help");
+        throw UsageError(
+            "a command is missing: train, sweep, calibrate, replay, rollout, summarize or info; see --help");
     const int status = session.run();
     if (!(std::cout << std::flush)) throw std::runtime_error("cannot write to standard output");
     return status;

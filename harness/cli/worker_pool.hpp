@@ -19,6 +19,7 @@ struct TaskReport {
     std::uint32_t trials_done = 0;
     std::uint32_t trials_recalled = 0; // of them, made by an earlier start
     std::array<char, 500> sentence{};  // why the task failed; empty otherwise
+    double result = 0;                 // of a task that comes to one number
 };
 
 // As a process's exit status; a library that ends its process does so with 1.

@@ -1,10 +1,10 @@
 #include "sweep_manifest.hpp"
 
+#include "manifest_file.hpp"
 #include "models.hpp"
 #include "record/versions.hpp"
 #include "sim/object.hpp"
 #include "sim/setup.hpp"
-#include "sim/toml_file.hpp"
 #include "sim/world.hpp"
 #include "training.hpp"
 
@@ -19,128 +19,11 @@ namespace
 {
 
 using nlohmann::json;
-using Pointer = json::json_pointer;
-using Names = std::vector<std::string>;
 
 constexpr std::int64_t most_seeds = 100'000;
 
 const Names manifest_keys = {"trials", "setup", "stepper", "runs"};
 const Names block_keys = {"objects", "models", "centre", "seeds", "variant", "set"};
-
-bool contains(const Names &names, const std::string &name)
-{
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::string list_of(const Names &names)
-{
-    std::string list;
-    for (const std::string &name : names) {
-        list += (list.empty() ? "" : ", ") + name;
-    }
-    return list;
-}
-
-// `value` as an error shows it.
-std::string shown(const json &value)
-{
-    return value.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
-// The manifest's values, with sentences about what is wrong with them.
-class Manifest
-{
-  public:
-    explicit Manifest(const std::filesystem::path &path) : path_(path), file_(sim::read_toml_with_lines(path))
-    {
-    }
-
-    // Throws "FILE:LINE: what", with the line of `place`, or of what is around it.
-    [[noreturn]] void fail(Pointer place, const std::string &what) const
-    {
-        while (!place.empty() && file_.line.count(place.to_string()) == 0) {
-            place.pop_back();
-        }
-        const int line = place.empty() ? 1 : file_.line.at(place.to_string());
-        throw std::runtime_error(path_.string() + ":" + std::to_string(line) + ": " + what);
-    }
-
-    // Complain of the value at `place`, or that there is none.
-    [[noreturn]] void fail_value(const Pointer &place, const std::string &expected) const
-    {
-        const std::string &key = place.back();
-        if (!has(place)) fail(place, key + " is missing; expected " + expected);
-        fail(place, key + " is " + shown(file_.values[place]) + "; expected " + expected);
-    }
-
-    bool has(const Pointer &place) const
-    {
-        return file_.values.contains(place);
-    }
-
-    const json &at(const Pointer &place, const std::string &expected) const
-    {
-        if (!has(place)) fail_value(place, expected);
-        return file_.values[place];
-    }
-
-    void require_keys(const Pointer &place, const Names &known) const
-    {
-        for (const auto &[key, value] : file_.values[place].items()) {
-            if (!contains(known, key))
-                fail(place / key, "there is no key \"" + key + "\" here; expected one of " + list_of(known));
-        }
-    }
-
-    std::int64_t whole_number(const Pointer &place, std::int64_t upper) const
-    {
-        const std::string expected = "a whole number from 1 to " + std::to_string(upper);
-        const json &value = at(place, expected);
-        if (!value.is_number_integer() || value < json(1) || value > json(upper)) fail_value(place, expected);
-        return value.get<std::int64_t>();
-    }
-
-    // One of `known`; `silent` where the manifest says nothing.
-    std::string name(const Pointer &place, const Names &known, const std::string &silent) const
-    {
-        if (!has(place)) return silent;
-        const json &value = file_.values[place];
-        if (!value.is_string() || !contains(known, value.get<std::string>()))
-            fail_value(place, "one of " + list_of(known));
-        return value.get<std::string>();
-    }
-
-    // "all", or a list of some of `known`.
-    Names names(const Pointer &place, const Names &known) const
-    {
-        const std::string expected = "\"all\", or a list of some of " + list_of(known);
-        const json &value = at(place, expected);
-        if (value == json("all")) return known;
-        const bool is_list = value.is_array() && !value.empty();
-        if (!is_list) fail_value(place, expected);
-        Names found;
-        for (const json &each : value) {
-            if (!each.is_string() || !contains(known, each.get<std::string>()))
-                fail(place, place.back() + " holds " + shown(each) + "; expected " + expected);
-            found.push_back(each.get<std::string>());
-        }
-        return found;
-    }
-
-    std::vector<bool> flags(const Pointer &place) const
-    {
-        if (!has(place)) return {true};
-        const json &value = file_.values[place];
-        const bool fits = value.is_array() && !value.empty() &&
-                          std::all_of(value.begin(), value.end(), [](const json &each) { return each.is_boolean(); });
-        if (!fits) fail_value(place, "[true], [false] or [true, false]");
-        return value.get<std::vector<bool>>();
-    }
-
-  private:
-    std::filesystem::path path_;
-    sim::TomlFile file_;
-};
 
 // Makes the plan of one manifest.
 class Planner
@@ -162,11 +45,8 @@ class Planner
     SweepPlan plan() &&
     {
         const Pointer place("/runs");
-        const std::string expected = "one block [[runs]] or more";
-        const json &blocks = manifest_.at(place, expected);
-        if (!blocks.is_array() || blocks.empty()) manifest_.fail_value(place, expected);
-        for (std::size_t i = 0; i < blocks.size(); ++i) {
-            if (!blocks[i].is_object()) manifest_.fail_value(place, expected);
+        const std::size_t blocks = manifest_.blocks(place);
+        for (std::size_t i = 0; i < blocks; ++i) {
             add_block(place / i);
         }
         return std::move(plan_);
@@ -282,7 +162,7 @@ class Planner
         }
     }
 
-    Manifest manifest_;
+    ManifestFile manifest_;
     Names objects_;
     Names models_;
     SweepPlan plan_;

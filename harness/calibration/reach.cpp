@@ -1,0 +1,94 @@
+#include "reach.hpp"
+
+#include "sim/clearance.hpp"
+#include "sim/object_body.hpp"
+
+#include <algorithm>
+
+namespace twiddle::calibration
+{
+
+namespace
+{
+
+constexpr double rad_per_deg = 0.017453292519943295;
+
+bool holds(const std::pair<double, double> &window, double value)
+{
+    return value >= window.first && value <= window.second;
+}
+
+} // namespace
+
+Reach::Reach(const sim::HandModel &hand, const sim::Setup &setup)
+    : setup_(setup), hand_(hand, setup.hand, sim::HandHold::welded)
+{
+}
+
+bool Reach::touches(sim::Finger finger, const sim::ObjectSpec &object, const sim::JointVector &angle_rad)
+{
+    std::vector<double> posture;
+    for (const sim::ArticulatedLink &link : hand_.links()) {
+        if (!link.moves) continue;
+        const auto joint = std::find(hand_.controlled().begin(), hand_.controlled().end(), link.body_link);
+        posture.push_back(angle_rad[static_cast<std::size_t>(joint - hand_.controlled().begin())]);
+    }
+    hand_.set_posture(posture);
+    const sim::ObjectBody body = sim::object_body(object, setup_.object);
+    for (int link = 0; link < static_cast<int>(hand_.links().size()); ++link) {
+        if (hand_.links()[static_cast<std::size_t>(link)].finger != finger) continue;
+        const auto ends_m = hand_.p_palm_capsule_m(link);
+        if (sim::capsule_overlap(body, 0, ends_m[0], ends_m[1], hand_.capsule(link).radius_m)) return true;
+    }
+    return false;
+}
+
+bool Reach::straight_hand_is_clear(const sim::ObjectSpec &object)
+{
+    return !touches(sim::Finger::index, object, {}) && !touches(sim::Finger::thumb, object, {});
+}
+
+std::optional<double> Reach::index_contact_deg(const sim::ObjectSpec &object, double last_deg)
+{
+    for (double fei_deg = 0; fei_deg <= last_deg; fei_deg += reach_step_deg) {
+        sim::JointVector angle_rad{};
+        angle_rad[sim::fei] = fei_deg * rad_per_deg;
+        if (touches(sim::Finger::index, object, angle_rad)) return fei_deg;
+    }
+    return std::nullopt;
+}
+
+std::optional<double> Reach::thumb_contact_deg(const sim::ObjectSpec &object, double ot_deg, double last_deg)
+{
+    for (double fet_deg = 0; fet_deg <= last_deg; fet_deg += reach_step_deg) {
+        sim::JointVector angle_rad{};
+        angle_rad[sim::fet] = fet_deg * rad_per_deg;
+        angle_rad[sim::ot] = ot_deg * rad_per_deg;
+        if (touches(sim::Finger::thumb, object, angle_rad)) return fet_deg;
+    }
+    return std::nullopt;
+}
+
+bool Reach::thumb_fits(const sim::ObjectSpec &object, const ReachWindow &window)
+{
+    const auto [first_deg, last_deg] = window.thumb_ot_deg;
+    for (double ot_deg = first_deg; ot_deg <= last_deg; ot_deg += opposition_step_deg) {
+        const std::optional<double> contact_deg = thumb_contact_deg(object, ot_deg, window.thumb_fet_deg.second);
+        if (contact_deg && holds(window.thumb_fet_deg, *contact_deg)) return true;
+    }
+    return false;
+}
+
+bool Reach::fits(const std::vector<sim::ObjectSpec> &objects, const ReachWindow &window)
+{
+    // The cheap question first: most set-ups of a wide search fail it.
+    for (const sim::ObjectSpec &object : objects) {
+        if (!straight_hand_is_clear(object)) return false;
+        const std::optional<double> contact_deg = index_contact_deg(object, window.index_fei_deg.second);
+        if (!contact_deg || !holds(window.index_fei_deg, *contact_deg)) return false;
+    }
+    return std::all_of(objects.begin(), objects.end(),
+                       [&](const sim::ObjectSpec &object) { return thumb_fits(object, window); });
+}
+
+} // namespace twiddle::calibration

@@ -1,0 +1,321 @@
+#include "calibration_session.hpp"
+
+#include "experiment/statistics.hpp"
+#include "experiment/training.hpp"
+#include "record/csv.hpp"
+#include "record/number_text.hpp"
+#include "record/part_file.hpp"
+#include "record/versions.hpp"
+#include "sim/hand_model.hpp"
+#include "stop_request.hpp"
+#include "worker_pool.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+namespace twiddle::cli
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double report_interval_s = 10;
+constexpr std::uint32_t most_last_trials = 500; // that count; of a short run, its last tenth
+constexpr const char *screening = "screening";
+constexpr const char *finals = "finals";
+
+// What the paper's tables have of each object.
+const std::vector<std::pair<std::string, bool>> models_and_centre = {
+    {"cpg-s", true}, {"cpg-m", true}, {"cpg-c", true}, {"cpg-h", true}, {"cpg-h", false}};
+
+std::vector<experiment::Cell> cells_of(const std::vector<std::string> &objects)
+{
+    std::vector<experiment::Cell> cells;
+    for (const std::string &object : objects) {
+        for (const auto &[model, centre] : models_and_centre) {
+            cells.push_back({"", object, model, centre, {}});
+        }
+    }
+    return cells;
+}
+
+std::string name_of(const experiment::Cell &cell)
+{
+    return cell.object + "." + cell.model + (cell.centre ? "" : "-no-centre") + "_rad";
+}
+
+// The mean rotation at the end of a run; not a number after a fault. Nothing of it is kept.
+TaskEnd train_run(const record::RunSpecification &specification, const std::filesystem::path &models,
+                  const Reporter &report)
+{
+    experiment::Training training(specification, models);
+    const std::uint32_t last = std::clamp(specification.trials / 10, 1U, most_last_trials);
+    double sum_rad = 0;
+    for (std::uint32_t trial = 1; trial <= specification.trials; ++trial) {
+        if (stop_signal() != 0) return TaskEnd::stopped;
+        const experiment::TrialRow row = training.run_trial();
+        if (!row.fault.empty()) sum_rad = std::numeric_limits<double>::quiet_NaN();
+        if (trial + last > specification.trials || std::isnan(sum_rad)) sum_rad += row.rotation_rad;
+    }
+    TaskReport result;
+    result.result = sum_rad / last;
+    report(result);
+    return TaskEnd::complete;
+}
+
+std::string setting_text(const nlohmann::json &value)
+{
+    if (value.is_number_float()) return record::number_text(value.get<double>());
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::string error_text(double error)
+{
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(3) << error;
+    return text.str();
+}
+
+} // namespace
+
+CalibrationSession::CalibrationSession(calibration::CalibrationPlan plan, experiment::PaperValues paper,
+                                       record::RunSpecification common, std::filesystem::path models,
+                                       std::filesystem::path folder, std::size_t jobs)
+    : plan_(std::move(plan)), paper_(std::move(paper)), common_(std::move(common)), models_(std::move(models)),
+      folder_(std::move(folder)), jobs_(jobs), cells_(cells_of(plan_.objects))
+{
+    read_candidates();
+}
+
+bool CalibrationSession::run()
+{
+    const sim::HandModel hand = sim::read_hand_model(models_ / "icub_right_hand.urdf");
+    std::vector<sim::ObjectSpec> objects;
+    for (const std::string &name : sim::object_names(models_)) {
+        objects.push_back(sim::read_object(models_, name));
+    }
+    calibration::Search search(plan_.search, plan_.variables, [&](const calibration::Point &point) {
+        const auto settings = calibration::with_values(plan_.setup.settings, plan_.variables,
+                                                       calibration::values_at(plan_.variables, point));
+        calibration::Reach reach(hand, sim::setup_from_settings(settings, plan_.name, plan_.name));
+        return reach.fits(objects, plan_.reach);
+    });
+    while (!search.is_done()) {
+        const std::size_t place = candidates_.size();
+        if (!judge(screening, place, search.next(), plan_.screening)) return false;
+        search.tell(candidates_.back().distance.error_rad);
+    }
+    const std::vector<std::size_t> ranking = search.ranking();
+    for (std::size_t i = 0; i < std::min(plan_.finalists, ranking.size()); ++i) {
+        if (!judge(finals, ranking[i], search.point(ranking[i]), plan_.finals)) return false;
+    }
+    write_setup();
+    return true;
+}
+
+record::RunSpecification CalibrationSession::specification_at(const std::vector<nlohmann::json> &values,
+                                                              const calibration::Effort &effort) const
+{
+    record::RunSpecification specification = common_;
+    specification.trials = effort.trials;
+    specification.setup = plan_.name;
+    specification.settings = calibration::with_values(plan_.setup.settings, plan_.variables, values);
+    return specification;
+}
+
+bool CalibrationSession::judge(const std::string &stage, std::size_t place, const calibration::Point &point,
+                               const calibration::Effort &effort)
+{
+    Candidate candidate;
+    candidate.stage = stage;
+    candidate.place = place;
+    candidate.values = calibration::values_at(plan_.variables, point);
+    const auto known = known_.find(key_of(candidate));
+    if (known == known_.end() && known_.size() > candidates_.size())
+        throw std::runtime_error("'" + (folder_ / "candidates.csv").string() +
+                                 "' is of another calibration; choose another folder by --out");
+    candidate.mean_rad =
+        known != known_.end() ? known->second : train(specification_at(candidate.values, effort), effort);
+    if (candidate.mean_rad.empty()) return false;
+    candidate.distance = distance(candidate.mean_rad);
+    candidates_.push_back(candidate);
+    if (known == known_.end()) write_candidates();
+    report(known == known_.end());
+    return true;
+}
+
+std::vector<double> CalibrationSession::train(const record::RunSpecification &common,
+                                              const calibration::Effort &effort) const
+{
+    const std::size_t seeds = effort.seeds;
+    std::vector<std::size_t> tasks(cells_.size() * seeds);
+    std::iota(tasks.begin(), tasks.end(), std::size_t{0});
+    std::vector<double> mean_rad(cells_.size(), 0.0);
+    bool stopped = false;
+    std::string failure;
+    const Work work = [&](std::size_t task, const Reporter &report) {
+        record::RunSpecification specification = common;
+        const experiment::Cell &cell = cells_[task / seeds];
+        specification.object = cell.object;
+        specification.model = cell.model;
+        specification.centre = cell.centre;
+        specification.seed = task % seeds + 1;
+        return train_run(specification, models_, report);
+    };
+    std::vector<double> result_rad(tasks.size());
+    PoolListener listener;
+    listener.report = [&](std::size_t task, const TaskReport &report) { result_rad[task] = report.result; };
+    listener.end = [&](std::size_t, TaskEnd end, const std::string &sentence) {
+        stopped = stopped || end == TaskEnd::stopped;
+        if (end == TaskEnd::failed && failure.empty()) failure = sentence;
+    };
+    listener.tick = [] {};
+    do_tasks(tasks, jobs_, work, listener);
+    if (!failure.empty()) throw std::runtime_error(failure);
+    if (stopped || stop_signal() != 0) return {};
+    for (const std::size_t task : tasks) { // in their order, so that no sum depends on who was first
+        mean_rad[task / seeds] += result_rad[task] / static_cast<double>(seeds);
+    }
+    return mean_rad;
+}
+
+experiment::PaperDistance CalibrationSession::distance(const std::vector<double> &mean_rad) const
+{
+    std::vector<experiment::Cell> cells = cells_;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        cells[i].rotation_rad = {mean_rad[i]};
+    }
+    const bool faulty =
+        std::any_of(mean_rad.begin(), mean_rad.end(), [](double value) { return !std::isfinite(value); });
+    experiment::PaperDistance distance =
+        experiment::distance_from_paper(experiment::paper_pairs(cells, paper_, plan_.objects));
+    if (faulty) distance.error_rad = distance.error_scaled = std::numeric_limits<double>::infinity();
+    return distance;
+}
+
+const CalibrationSession::Candidate &CalibrationSession::best_finalist() const
+{
+    const Candidate *best = nullptr;
+    for (const Candidate &candidate : candidates_) {
+        const bool better = best == nullptr || candidate.distance.error_rad < best->distance.error_rad;
+        if (candidate.stage == finals && better) best = &candidate;
+    }
+    return *best;
+}
+
+void CalibrationSession::write_setup() const
+{
+    const Candidate &best = best_finalist();
+    const std::vector<std::string> comments = {
+        plan_.name + ": found by `twiddle calibrate`, point " + std::to_string(best.place) + " of " +
+            std::to_string(plan_.search.random + plan_.search.refined) + ".",
+        "Root mean square of ln(ours / paper) over the " + std::to_string(best.distance.pairs) +
+            " cells compared: " + error_text(best.distance.error_rad) + " in rad, " +
+            error_text(best.distance.error_scaled) + " with one factor of " + error_text(best.distance.scale) + "."};
+    record::PartFile file(folder_ / "setup.toml");
+    file.write(calibration::setup_text(plan_.setup.settings, plan_.variables, best.values, comments));
+    file.finish();
+    for (const std::string &comment : comments) {
+        std::cout << comment << '\n';
+    }
+    std::cout << (folder_ / "setup.toml").string() << '\n';
+}
+
+std::vector<std::string> CalibrationSession::columns() const
+{
+    std::vector<std::string> columns = {"stage", "point"};
+    for (const calibration::Variable &variable : plan_.variables) {
+        columns.push_back(variable.setting);
+    }
+    columns.insert(columns.end(), {"error_rad", "scale", "error_scaled"});
+    for (const experiment::Cell &cell : cells_) {
+        columns.push_back(name_of(cell));
+    }
+    return columns;
+}
+
+std::string CalibrationSession::key_of(const Candidate &candidate) const
+{
+    std::string key = candidate.stage + "," + std::to_string(candidate.place);
+    for (const nlohmann::json &value : candidate.values) {
+        key += "," + setting_text(value);
+    }
+    return key;
+}
+
+void CalibrationSession::read_candidates()
+{
+    const std::filesystem::path path = folder_ / "candidates.csv";
+    std::ifstream file(path);
+    const std::size_t first_mean = columns().size() - cells_.size();
+    const std::size_t first_error = 2 + plan_.variables.size();
+    bool header = false;
+    for (std::string line; std::getline(file, line);) {
+        if (line.empty() || line.front() == '#') continue;
+        const std::vector<std::string> row = record::split_csv(line);
+        if (!header && row != columns())
+            throw std::runtime_error("'" + path.string() +
+                                     "' is of another calibration; choose another folder by --out");
+        if (!std::exchange(header, true)) continue;
+        if (row.size() != columns().size()) throw std::runtime_error("'" + path.string() + "' has a broken row");
+        std::string key = row[0];
+        for (std::size_t i = 1; i < first_error; ++i) {
+            key += "," + row[i];
+        }
+        std::vector<double> &mean_rad = known_[key];
+        for (std::size_t i = first_mean; i < row.size(); ++i) {
+            mean_rad.push_back(record::parse_number(row[i]).value_or(std::numeric_limits<double>::quiet_NaN()));
+        }
+    }
+}
+
+void CalibrationSession::write_candidates() const
+{
+    record::PartFile file(folder_ / "candidates.csv");
+    file.write("# candidates of the calibration " + plan_.name +
+               ": settings tried, and how far they are from the paper\n");
+    file.write("# error_rad: root mean square of ln(ours / paper); error_scaled: the same with ours times scale\n");
+    file.write(
+        "# the other columns: mean rotation, rad, of the last 500 trials (last tenth of short runs), over seeds\n");
+    file.write("# search seed: " + std::to_string(plan_.search.seed) + "; " + record::version_line() + "\n");
+    file.write(record::csv_header(columns()) + "\n");
+    for (const Candidate &candidate : candidates_) {
+        record::CsvRow row;
+        row.cell(candidate.distance.error_rad).cell(candidate.distance.scale).cell(candidate.distance.error_scaled);
+        for (const double mean_rad : candidate.mean_rad) {
+            row.cell(mean_rad);
+        }
+        file.write(key_of(candidate) + "," + row.text() + "\n");
+    }
+    file.finish();
+}
+
+void CalibrationSession::report(bool trained)
+{
+    const Clock::time_point now = Clock::now();
+    const bool due = std::chrono::duration<double>(now - last_report_).count() >= report_interval_s;
+    if (!trained || !due) return;
+    last_report_ = now;
+    double best = std::numeric_limits<double>::infinity();
+    const std::string &stage = candidates_.back().stage;
+    std::size_t done = 0;
+    for (const Candidate &candidate : candidates_) {
+        if (candidate.stage != stage) continue;
+        ++done;
+        best = std::min(best, candidate.distance.error_rad);
+    }
+    const std::size_t all = stage == screening ? plan_.search.random + plan_.search.refined : plan_.finalists;
+    std::cerr << stage << ": " << done << " of " << all << " set-ups, least error " << error_text(best) << ", after "
+              << std::lround(std::chrono::duration<double>(now - start_).count()) << " s\n";
+}
+
+} // namespace twiddle::cli

@@ -1,0 +1,73 @@
+// calibration_session.hpp: a calibration from its first point to its set-up; one that was interrupted goes on.
+//
+// What is known stands in the folder's candidates.csv, written anew after each point. A new start asks the search for the same
+// points again, takes their rotations from the file, and trains what is missing.
+#pragma once
+
+#include "calibration/plan.hpp"
+#include "experiment/paper_distance.hpp"
+#include "record/run_json.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace twiddle::cli
+{
+
+class CalibrationSession
+{
+  public:
+    // `common` gives hand, stepper and number type of all runs. Throws std::runtime_error if the folder is of another calibration.
+    CalibrationSession(calibration::CalibrationPlan plan, experiment::PaperValues paper,
+                       record::RunSpecification common, std::filesystem::path models, std::filesystem::path folder,
+                       std::size_t jobs);
+
+    // Search, train the finalists in full, and write the best of them as setup.toml. False if Ctrl-C came in between.
+    bool run();
+
+  private:
+    // A point that was tried.
+    struct Candidate {
+        std::string stage; // "screening" or "finals"
+        std::size_t place = 0;
+        std::vector<nlohmann::json> values; // of the variables
+        std::vector<double> mean_rad;       // one a cell; not a number after a fault
+        experiment::PaperDistance distance;
+    };
+
+    // The plan's settings at `values`.
+    record::RunSpecification specification_at(const std::vector<nlohmann::json> &values,
+                                              const calibration::Effort &effort) const;
+
+    // The candidate of a point, from the file or from runs; appended to candidates_. False after Ctrl-C.
+    bool judge(const std::string &stage, std::size_t place, const calibration::Point &point,
+               const calibration::Effort &effort);
+    std::vector<double> train(const record::RunSpecification &common, const calibration::Effort &effort) const;
+    experiment::PaperDistance distance(const std::vector<double> &mean_rad) const;
+
+    const Candidate &best_finalist() const;
+    void write_setup() const;
+
+    std::vector<std::string> columns() const;
+    std::string key_of(const Candidate &candidate) const;
+    void read_candidates();
+    void write_candidates() const;
+    void report(bool trained);
+
+    calibration::CalibrationPlan plan_;
+    experiment::PaperValues paper_;
+    record::RunSpecification common_;
+    std::filesystem::path models_;
+    std::filesystem::path folder_;
+    std::size_t jobs_;
+    std::vector<experiment::Cell> cells_;              // what is trained for a point, without its rotations
+    std::map<std::string, std::vector<double>> known_; // mean_rad of an earlier start, by the row's first columns
+    std::vector<Candidate> candidates_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point last_report_ = start_;
+};
+
+} // namespace twiddle::cli
