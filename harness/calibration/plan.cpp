@@ -89,6 +89,7 @@ CalibrationPlan read_calibration_plan(const std::filesystem::path &path, const s
     plan.finals = read_effort(file, finalists);
     plan.finalists = count(file, finalists / "count");
     plan.reach.index_fei_deg = file.range(reach / "index_fei_deg");
+    plan.reach.index_aai_deg = file.range(reach / "index_aai_deg");
     plan.reach.thumb_fet_deg = file.range(reach / "thumb_fet_deg");
     plan.reach.thumb_ot_deg = file.range(reach / "thumb_ot_deg");
     for (std::size_t i = 0; i < file.blocks(top / "variables"); ++i) {
@@ -98,7 +99,7 @@ CalibrationPlan read_calibration_plan(const std::filesystem::path &path, const s
     }
     file.require_keys(screening, {"trials", "seeds", "random", "refined", "parents"});
     file.require_keys(finalists, {"count", "trials", "seeds"});
-    file.require_keys(reach, {"index_fei_deg", "thumb_fet_deg", "thumb_ot_deg"});
+    file.require_keys(reach, {"index_fei_deg", "index_aai_deg", "thumb_fet_deg", "thumb_ot_deg"});
     return plan;
 }
 

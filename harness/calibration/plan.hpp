@@ -15,6 +15,7 @@
 //     seeds = 4
 //     [reach]                          # what hand and objects must meet (reach.hpp), deg
 //     index_fei_deg = [25, 60]
+//     index_aai_deg = [-15, 15]
 //     thumb_fet_deg = [25, 60]
 //     thumb_ot_deg = [40, 110]
 //     [[variables]]                    # one block or more

@@ -48,25 +48,38 @@ bool Reach::straight_hand_is_clear(const sim::ObjectSpec &object)
     return !touches(sim::Finger::index, object, {}) && !touches(sim::Finger::thumb, object, {});
 }
 
-std::optional<double> Reach::index_contact_deg(const sim::ObjectSpec &object, double last_deg)
+std::optional<double> Reach::first_contact_deg(sim::Finger finger, const sim::ObjectSpec &object,
+                                               sim::JointVector angle_rad, sim::Joint flexion, double last_deg)
 {
-    for (double fei_deg = 0; fei_deg <= last_deg; fei_deg += reach_step_deg) {
-        sim::JointVector angle_rad{};
-        angle_rad[sim::fei] = fei_deg * rad_per_deg;
-        if (touches(sim::Finger::index, object, angle_rad)) return fei_deg;
+    for (double flexion_deg = 0; flexion_deg <= last_deg; flexion_deg += reach_step_deg) {
+        angle_rad[flexion] = flexion_deg * rad_per_deg;
+        if (touches(finger, object, angle_rad)) return flexion_deg;
     }
     return std::nullopt;
 }
 
+std::optional<double> Reach::index_contact_deg(const sim::ObjectSpec &object, double aai_deg, double last_deg)
+{
+    sim::JointVector angle_rad{};
+    angle_rad[sim::aai] = aai_deg * rad_per_deg;
+    return first_contact_deg(sim::Finger::index, object, angle_rad, sim::fei, last_deg);
+}
+
 std::optional<double> Reach::thumb_contact_deg(const sim::ObjectSpec &object, double ot_deg, double last_deg)
 {
-    for (double fet_deg = 0; fet_deg <= last_deg; fet_deg += reach_step_deg) {
-        sim::JointVector angle_rad{};
-        angle_rad[sim::fet] = fet_deg * rad_per_deg;
-        angle_rad[sim::ot] = ot_deg * rad_per_deg;
-        if (touches(sim::Finger::thumb, object, angle_rad)) return fet_deg;
+    sim::JointVector angle_rad{};
+    angle_rad[sim::ot] = ot_deg * rad_per_deg;
+    return first_contact_deg(sim::Finger::thumb, object, angle_rad, sim::fet, last_deg);
+}
+
+bool Reach::index_fits(const sim::ObjectSpec &object, const ReachWindow &window)
+{
+    const auto [first_deg, last_deg] = window.index_aai_deg;
+    for (double aai_deg = first_deg; aai_deg <= last_deg; aai_deg += abduction_step_deg) {
+        const std::optional<double> contact_deg = index_contact_deg(object, aai_deg, window.index_fei_deg.second);
+        if (contact_deg && holds(window.index_fei_deg, *contact_deg)) return true;
     }
-    return std::nullopt;
+    return false;
 }
 
 bool Reach::thumb_fits(const sim::ObjectSpec &object, const ReachWindow &window)
@@ -81,14 +94,11 @@ bool Reach::thumb_fits(const sim::ObjectSpec &object, const ReachWindow &window)
 
 bool Reach::fits(const std::vector<sim::ObjectSpec> &objects, const ReachWindow &window)
 {
-    // The cheap question first: most set-ups of a wide search fail it.
-    for (const sim::ObjectSpec &object : objects) {
-        if (!straight_hand_is_clear(object)) return false;
-        const std::optional<double> contact_deg = index_contact_deg(object, window.index_fei_deg.second);
-        if (!contact_deg || !holds(window.index_fei_deg, *contact_deg)) return false;
-    }
-    return std::all_of(objects.begin(), objects.end(),
-                       [&](const sim::ObjectSpec &object) { return thumb_fits(object, window); });
+    const auto all = [&](auto &&holds_for) { return std::all_of(objects.begin(), objects.end(), holds_for); };
+    // The cheap questions first: most set-ups of a wide search fail them.
+    return all([&](const sim::ObjectSpec &object) { return straight_hand_is_clear(object); }) &&
+           all([&](const sim::ObjectSpec &object) { return index_fits(object, window); }) &&
+           all([&](const sim::ObjectSpec &object) { return thumb_fits(object, window); });
 }
 
 } // namespace twiddle::calibration

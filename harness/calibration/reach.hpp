@@ -15,13 +15,15 @@ namespace twiddle::calibration
 
 // Windows in deg, both ends included.
 struct ReachWindow {
-    std::pair<double, double> index_fei_deg; // FEI at the index's first contact, AAI in its middle
+    std::pair<double, double> index_fei_deg; // FEI at the index's first contact ...
+    std::pair<double, double> index_aai_deg; // ... for some AAI in here
     std::pair<double, double> thumb_fet_deg; // FET at the thumb's first contact ...
     std::pair<double, double> thumb_ot_deg;  // ... for some OT in here
 };
 
 // Looks at angles in steps of this size, deg.
 constexpr double reach_step_deg = 1;
+constexpr double abduction_step_deg = 5;
 constexpr double opposition_step_deg = 10;
 
 // The hand of one set-up beside one object, by libccd.
@@ -33,8 +35,8 @@ class Reach
     // Whether no link of the straight hand touches the object.
     bool straight_hand_is_clear(const sim::ObjectSpec &object);
 
-    // The first FEI, and the first FET at `ot_deg`, at which the finger touches, deg; nothing up to `last_deg`.
-    std::optional<double> index_contact_deg(const sim::ObjectSpec &object, double last_deg);
+    // The first FEI at `aai_deg`, and the first FET at `ot_deg`, at which the finger touches, deg; nothing up to `last_deg`.
+    std::optional<double> index_contact_deg(const sim::ObjectSpec &object, double aai_deg, double last_deg);
     std::optional<double> thumb_contact_deg(const sim::ObjectSpec &object, double ot_deg, double last_deg);
 
     // Whether the straight hand is clear of all `objects` and both fingers meet each of them within the window.
@@ -42,6 +44,9 @@ class Reach
 
   private:
     bool touches(sim::Finger finger, const sim::ObjectSpec &object, const sim::JointVector &angle_rad);
+    std::optional<double> first_contact_deg(sim::Finger finger, const sim::ObjectSpec &object,
+                                            sim::JointVector angle_rad, sim::Joint flexion, double last_deg);
+    bool index_fits(const sim::ObjectSpec &object, const ReachWindow &window);
     bool thumb_fits(const sim::ObjectSpec &object, const ReachWindow &window);
 
     sim::Setup setup_;

@@ -49,7 +49,7 @@ class Search
     // The point that next() gave at this place.
     const Point &point(std::size_t place) const;
 
-    static constexpr std::size_t most_tries = 1'000'000;
+    static constexpr std::size_t most_tries = 100'000;
 
   private:
     Point random_point();

@@ -143,9 +143,11 @@ bool CalibrationSession::judge(const std::string &stage, std::size_t place, cons
     if (known == known_.end() && known_.size() > candidates_.size())
         throw std::runtime_error("'" + (folder_ / "candidates.csv").string() +
                                  "' is of another calibration; choose another folder by --out");
-    candidate.mean_rad =
-        known != known_.end() ? known->second : train(specification_at(candidate.values, effort), effort);
-    if (candidate.mean_rad.empty()) return false;
+    if (known != known_.end()) {
+        candidate.mean_rad = known->second;
+    } else if (!train(candidate, effort)) {
+        return false;
+    }
     candidate.distance = distance(candidate.mean_rad);
     candidates_.push_back(candidate);
     if (known == known_.end()) write_candidates();
@@ -153,24 +155,48 @@ bool CalibrationSession::judge(const std::string &stage, std::size_t place, cons
     return true;
 }
 
-std::vector<double> CalibrationSession::train(const record::RunSpecification &common,
-                                              const calibration::Effort &effort) const
+double CalibrationSession::error_limit(const std::string &stage) const
 {
-    const std::size_t seeds = effort.seeds;
-    std::vector<std::size_t> tasks(cells_.size() * seeds);
+    const std::size_t kept = stage == finals ? 1 : std::max(plan_.finalists, plan_.search.parents);
+    std::vector<double> errors;
+    for (const Candidate &candidate : candidates_) {
+        if (candidate.stage == stage) errors.push_back(candidate.distance.error_rad);
+    }
+    if (errors.size() < kept) return std::numeric_limits<double>::infinity();
+    std::sort(errors.begin(), errors.end());
+    return errors[kept - 1];
+}
+
+bool CalibrationSession::train(Candidate &candidate, const calibration::Effort &effort) const
+{
+    const double limit = error_limit(candidate.stage);
+    const std::size_t cells_of_object = models_and_centre.size();
+    for (std::size_t first = 0; first < cells_.size(); first += cells_of_object) {
+        const std::vector<double> mean_rad =
+            train_cells(specification_at(candidate.values, effort), first, cells_of_object, effort.seeds);
+        if (mean_rad.empty()) return false;
+        candidate.mean_rad.insert(candidate.mean_rad.end(), mean_rad.begin(), mean_rad.end());
+        if (distance(candidate.mean_rad).error_rad > limit) break;
+    }
+    return true;
+}
+
+std::vector<double> CalibrationSession::train_cells(const record::RunSpecification &common, std::size_t first,
+                                                    std::size_t count, std::size_t seeds) const
+{
+    std::vector<std::size_t> tasks(count * seeds);
     std::iota(tasks.begin(), tasks.end(), std::size_t{0});
-    std::vector<double> mean_rad(cells_.size(), 0.0);
-    bool stopped = false;
-    std::string failure;
     const Work work = [&](std::size_t task, const Reporter &report) {
         record::RunSpecification specification = common;
-        const experiment::Cell &cell = cells_[task / seeds];
+        const experiment::Cell &cell = cells_[first + task / seeds];
         specification.object = cell.object;
         specification.model = cell.model;
         specification.centre = cell.centre;
         specification.seed = task % seeds + 1;
         return train_run(specification, models_, report);
     };
+    bool stopped = false;
+    std::string failure;
     std::vector<double> result_rad(tasks.size());
     PoolListener listener;
     listener.report = [&](std::size_t task, const TaskReport &report) { result_rad[task] = report.result; };
@@ -182,6 +208,7 @@ std::vector<double> CalibrationSession::train(const record::RunSpecification &co
     do_tasks(tasks, jobs_, work, listener);
     if (!failure.empty()) throw std::runtime_error(failure);
     if (stopped || stop_signal() != 0) return {};
+    std::vector<double> mean_rad(count, 0.0);
     for (const std::size_t task : tasks) { // in their order, so that no sum depends on who was first
         mean_rad[task / seeds] += result_rad[task] / static_cast<double>(seeds);
     }
@@ -190,7 +217,7 @@ std::vector<double> CalibrationSession::train(const record::RunSpecification &co
 
 experiment::PaperDistance CalibrationSession::distance(const std::vector<double> &mean_rad) const
 {
-    std::vector<experiment::Cell> cells = cells_;
+    std::vector<experiment::Cell> cells(cells_.begin(), cells_.begin() + static_cast<std::ptrdiff_t>(mean_rad.size()));
     for (std::size_t i = 0; i < cells.size(); ++i) {
         cells[i].rotation_rad = {mean_rad[i]};
     }
@@ -198,6 +225,8 @@ experiment::PaperDistance CalibrationSession::distance(const std::vector<double>
         std::any_of(mean_rad.begin(), mean_rad.end(), [](double value) { return !std::isfinite(value); });
     experiment::PaperDistance distance =
         experiment::distance_from_paper(experiment::paper_pairs(cells, paper_, plan_.objects));
+    // Cells that were not trained can only add to the sum of squares.
+    distance.error_rad *= std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(cells_.size()));
     if (faulty) distance.error_rad = distance.error_scaled = std::numeric_limits<double>::infinity();
     return distance;
 }
@@ -236,7 +265,7 @@ std::vector<std::string> CalibrationSession::columns() const
     for (const calibration::Variable &variable : plan_.variables) {
         columns.push_back(variable.setting);
     }
-    columns.insert(columns.end(), {"error_rad", "scale", "error_scaled"});
+    columns.insert(columns.end(), {"cells", "error_rad", "scale", "error_scaled"});
     for (const experiment::Cell &cell : cells_) {
         columns.push_back(name_of(cell));
     }
@@ -273,6 +302,7 @@ void CalibrationSession::read_candidates()
         }
         std::vector<double> &mean_rad = known_[key];
         for (std::size_t i = first_mean; i < row.size(); ++i) {
+            if (row[i].empty()) break; // not trained, nor what follows
             mean_rad.push_back(record::parse_number(row[i]).value_or(std::numeric_limits<double>::quiet_NaN()));
         }
     }
@@ -290,11 +320,13 @@ void CalibrationSession::write_candidates() const
     file.write(record::csv_header(columns()) + "\n");
     for (const Candidate &candidate : candidates_) {
         record::CsvRow row;
+        row.cell(std::uint64_t{candidate.mean_rad.size()});
         row.cell(candidate.distance.error_rad).cell(candidate.distance.scale).cell(candidate.distance.error_scaled);
         for (const double mean_rad : candidate.mean_rad) {
             row.cell(mean_rad);
         }
-        file.write(key_of(candidate) + "," + row.text() + "\n");
+        file.write(key_of(candidate) + "," + row.text());
+        file.write(std::string(cells_.size() - candidate.mean_rad.size(), ',') + "\n");
     }
     file.finish();
 }

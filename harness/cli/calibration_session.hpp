@@ -34,7 +34,7 @@ class CalibrationSession
         std::string stage; // "screening" or "finals"
         std::size_t place = 0;
         std::vector<nlohmann::json> values; // of the variables
-        std::vector<double> mean_rad;       // one a cell; not a number after a fault
+        std::vector<double> mean_rad;       // one a trained cell; not a number after a fault
         experiment::PaperDistance distance;
     };
 
@@ -45,7 +45,14 @@ class CalibrationSession
     // The candidate of a point, from the file or from runs; appended to candidates_. False after Ctrl-C.
     bool judge(const std::string &stage, std::size_t place, const calibration::Point &point,
                const calibration::Effort &effort);
-    std::vector<double> train(const record::RunSpecification &common, const calibration::Effort &effort) const;
+    // The error beyond which a point of `stage` is of no use: it would be neither a parent nor a finalist, nor the best of these.
+    double error_limit(const std::string &stage) const;
+    // Train object by object until the error, which only grows, is beyond the limit. False after Ctrl-C.
+    bool train(Candidate &candidate, const calibration::Effort &effort) const;
+    // The mean rotations of `count` cells from `first` on; empty after Ctrl-C.
+    std::vector<double> train_cells(const record::RunSpecification &common, std::size_t first, std::size_t count,
+                                    std::size_t seeds) const;
+    // Over the trained cells, the first ones; error_rad is a lower bound if there are more.
     experiment::PaperDistance distance(const std::vector<double> &mean_rad) const;
 
     const Candidate &best_finalist() const;
