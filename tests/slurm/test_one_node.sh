@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # `make paper SWEEP=smoke ENGINE=slurm` on a Slurm of one node: a task is killed and requeued, and all results are those of
-# `make paper SWEEP=smoke` to the byte. Usage: test_slurm.sh SOURCE_FOLDER BUILD_FOLDER; exit status 77 where it cannot run.
+# `make paper SWEEP=smoke` to the byte. Usage: test_one_node.sh SOURCE_FOLDER BUILD_FOLDER; exit status 77 where it cannot run.
 set -euo pipefail
 
 source=$1
