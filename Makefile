@@ -111,7 +111,7 @@ SBATCH_ARGS ?=
 WAIT ?= 1
 
 .PHONY: paper paper-local paper-slurm paper-results
-paper: paper-$(ENGINE) ## train all runs of a sweep into results/SWEEP and make its results; goes on where it was stopped: make paper SWEEP=smoke JOBS=2 ENGINE=local
+paper: paper-$(ENGINE) ## train all runs of a sweep into results/SWEEP and make its results; goes on where it was stopped: make paper SWEEP=smoke JOBS=2, or ENGINE=slurm
 
 paper-local: build
 	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out $(RESULTS) --jobs $(JOBS)

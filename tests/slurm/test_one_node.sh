@@ -29,10 +29,10 @@ fail()
     exit 1
 }
 
-# What a user types, but for the build, and with results in a folder of the test.
+# What a user types, but for the build, and with results in a folder of the test. It takes some seconds.
 paper()
 {
-    make --no-print-directory -C "$source" -o build paper SWEEP=smoke BUILD="$build" RESULTS="$work/$1" "${@:2}"
+    timeout 100 make --no-print-directory -C "$source" -o build paper SWEEP=smoke BUILD="$build" RESULTS="$work/$1" "${@:2}"
 }
 
 # The processes of the task that does a run, by its index: twiddle and its worker, one a line.

@@ -102,7 +102,7 @@ jobs_do_what_is_meant()
     stand_in twiddle 'printf "<%s>" twiddle "$@"'
     stand_in make 'printf "<%s>" make "$@"'
     output=$(cd "$work" && PATH=$work/bin SLURM_ARRAY_TASK_ID=2 bash job-2)
-    [[ $output == "<twiddle><sweep><my sweeps/it's.toml><--out><my sweeps/out><--only><6>" ]] || refuse "another run"
+    [[ $output == "run 6"$'\n'"<twiddle><sweep><my sweeps/it's.toml><--out><my sweeps/out><--only><6>" ]] || refuse "another run"
     output=$(cd "$work" && PATH=$work/bin bash job-3)
     [[ $output == "<make><a b><c>" ]] || refuse "another command for the results"
 }
