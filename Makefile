@@ -96,11 +96,35 @@ $(FIRST_RUNS): $(FIRST)/%:
 # --- the paper's experiments: a sweep of models/sweeps ---
 
 SWEEP ?= paper
+RESULTS ?= results/$(SWEEP)
 
-.PHONY: paper
-paper: build ## train all runs of a sweep into results/SWEEP and make its tables; goes on where it was stopped: make paper SWEEP=smoke JOBS=2
-	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out results/$(SWEEP) --jobs $(JOBS)
-	$(TWIDDLE) summarize results/$(SWEEP)
+# Who does the runs: this machine, or a Slurm cluster (docs/CLUSTER.md).
+ENGINE ?= local
+engines := local slurm
+ifeq ($(filter $(engines),$(ENGINE)),)
+  $(error ENGINE=$(ENGINE) is not known; expected one of: $(engines))
+endif
+
+# For ENGINE=slurm: runs at a time at most, more arguments for sbatch, and 0 to return when the jobs are submitted.
+THROTTLE ?=
+SBATCH_ARGS ?=
+WAIT ?= 1
+
+.PHONY: paper paper-local paper-slurm paper-results
+paper: paper-$(ENGINE) ## train all runs of a sweep into results/SWEEP and make its results; goes on where it was stopped: make paper SWEEP=smoke JOBS=2, or ENGINE=slurm
+
+paper-local: build
+	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out $(RESULTS) --jobs $(JOBS)
+	+@$(MAKE) --no-print-directory paper-results
+
+# The results are made by a job on a machine that builds nothing, by a make of its own.
+paper-slurm: build
+	@scripts/submit-sweep --program $(TWIDDLE) $(if $(THROTTLE),--throttle '$(THROTTLE)') --sbatch '$(SBATCH_ARGS)' \
+	    $(if $(filter 0,$(WAIT)),--no-wait) models/sweeps/$(SWEEP).toml $(RESULTS) \
+	    make --no-print-directory paper-results SWEEP=$(SWEEP) RESULTS=$(RESULTS) BUILD=$(BUILD)
+
+paper-results: ## make tables from the complete runs of a sweep, with the program as it is built: make paper-results SWEEP=smoke
+	$(TWIDDLE) summarize $(RESULTS)
 
 CALIBRATION := results/calibration
 
@@ -110,8 +134,11 @@ calibrate: build ## search a set-up that comes near the paper's tables (up to tw
 
 # --- building ---
 
+# DEPS=no takes what is there, on machines whose packages are somebody else's business.
+DEPS ?= yes
+
 deps:
-	@scripts/install-deps
+	@$(if $(filter no,$(DEPS)),:,scripts/install-deps)
 
 # Ninja configures again by itself when a CMakeLists.txt changes.
 build/%/build.ninja: CMakePresets.json | deps

@@ -28,6 +28,7 @@ struct SweepOptions {
     std::string jobs;
     std::string only;
     std::string models_dir;
+    bool list_missing = false;
 };
 
 experiment::SweepPlan read_plan(const std::string &manifest, const std::filesystem::path &models)
@@ -87,6 +88,15 @@ int conclude(const SweepOutcome &outcome, std::size_t runs, const std::string &o
     return 0;
 }
 
+// One index a line, for programs that start the runs themselves.
+int print_missing(const SweepSession &session, const std::vector<std::size_t> &chosen)
+{
+    for (const std::size_t index : session.missing(chosen)) {
+        std::cout << index << '\n';
+    }
+    return 0;
+}
+
 int sweep(const SweepOptions &options, const std::vector<std::string> &arguments)
 {
     const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
@@ -97,6 +107,7 @@ int sweep(const SweepOptions &options, const std::vector<std::string> &arguments
     claim_sweep(options.out, experiment::sweep_json(plan));
     SweepSession session(plan, options.out, models,
                          [&](std::size_t index) { return command_of(arguments.front(), options, index); });
+    if (options.list_missing) return print_missing(session, chosen);
     return conclude(session.run(chosen, static_cast<std::size_t>(jobs)), chosen.size(), options.out);
 }
 
@@ -111,6 +122,8 @@ void add_sweep(CLI::App &app, Session &session)
     command->add_option("--out", options->out, "Folder of the sweep")->required()->type_name("DIR");
     command->add_option("--jobs", options->jobs, "Runs at a time [one a processor]")->type_name("N");
     command->add_option("--only", options->only, "Do one run alone, by its index in sweep.json")->type_name("INDEX");
+    command->add_flag("--list-missing", options->list_missing,
+                      "Make the folder, print the index of each run that is not complete, and train none");
     add_models_option(*command, options->models_dir);
     command->callback(
         [options, &session] { session.run = [options, &session] { return sweep(*options, session.arguments); }; });

@@ -7,8 +7,10 @@
 #include "sweep_folder.hpp"
 #include "training_session.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <iterator>
 #include <utility>
 
 #include <unistd.h>
@@ -63,6 +65,14 @@ SweepSession::SweepSession(const experiment::SweepPlan &plan, std::filesystem::p
     : plan_(plan), folder_(std::move(folder)), models_(std::move(models)), command_of_(std::move(command_of)),
       states_(plan.runs.size())
 {
+}
+
+std::vector<std::size_t> SweepSession::missing(const std::vector<std::size_t> &chosen) const
+{
+    std::vector<std::size_t> missing;
+    std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(missing),
+                 [this](std::size_t index) { return !is_complete(index); });
+    return missing;
 }
 
 SweepOutcome SweepSession::run(const std::vector<std::size_t> &chosen, std::size_t jobs)

@@ -283,6 +283,30 @@ TEST(Sweep, single_runs_started_together_make_the_sweep)
     EXPECT_TRUE(fs::exists(one / folders[4] / "policy.json"));
 }
 
+// What is left to do, for a program that starts the runs itself: all runs, then those that are not complete, then none. The
+// folder is the sweep's from then on, and nothing is trained.
+TEST(Sweep, missing_runs_are_listed)
+{
+    const ScratchFolder folder;
+    const fs::path manifest = folder.write("mine.toml", manifest_text(3));
+    const fs::path out = folder.path() / "out";
+    EXPECT_EQ(sweep(manifest, out, "--list-missing").output, "0\n1\n2\n3\n4\n");
+    EXPECT_EQ(files_below(out).size(), 1U);
+    EXPECT_TRUE(fs::exists(out / "sweep.json"));
+    ASSERT_EQ(sweep(manifest, out, "--only 1").status, 0);
+    EXPECT_EQ(sweep(manifest, out, "--list-missing").output, "0\n2\n3\n4\n");
+    ASSERT_EQ(sweep(manifest, out).status, 0);
+    fs::remove(out / folders[3] / "policy.json");
+    EXPECT_EQ(sweep(manifest, out, "--list-missing").output, "3\n");
+    ASSERT_EQ(sweep(manifest, out).status, 0);
+    const Outcome outcome = sweep(manifest, out, "--list-missing");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.output, "");
+    const Outcome refused = sweep(folder.write("yours.toml", manifest_text(3)), out, "--list-missing");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(is_one_complaint(refused.error)) << refused.error;
+}
+
 // A folder of another manifest, of another version, of something else, or with a broken sweep.json is refused and stays as it is.
 TEST(Sweep, folder_of_something_else_is_not_touched)
 {
