@@ -93,6 +93,10 @@ paper: build ## train all runs of a sweep into results/SWEEP and make its tables
 	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out results/$(SWEEP) --jobs $(JOBS)
 	$(TWIDDLE) summarize results/$(SWEEP)
 
+.PHONY: confirm
+confirm: build ## replay CPG-H's policies of a sweep in both steppers, and print the rotations side by side: make confirm SWEEP=paper
+	scripts/confirm-steppers results/$(SWEEP)
+
 # --- building ---
 
 deps:

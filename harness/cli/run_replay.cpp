@@ -43,7 +43,7 @@ std::vector<std::string> head_comments(const record::RunSpecification &specifica
     std::vector<std::string> comments = {what,
                                          "model: " + specification.model +
                                              (specification.centre ? ", with centre" : ", without centre") +
-                                             ", set-up: " + specification.setup,
+                                             ", set-up: " + specification.setup + ", stepper: " + specification.stepper,
                                          "units as in the column names; positions in the palm frame"};
     comments.insert(comments.end(), facts.begin(), facts.end());
     comments.push_back("seed: " + std::to_string(specification.seed));
