@@ -4,15 +4,13 @@ import csv
 import json
 import shutil
 import subprocess
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from mujoco_hand import JOINTS
-
-# Where no finger reaches the object: the furthest place that the settings allow.
-OUT_OF_REACH_M = 0.2
 
 OBJECTS = [f"{size}-{shape}" for shape in ("sphere", "cylinder", "cube") for size in ("small", "medium", "large")]
 MODELS = ("cpg-c", "cpg-h")
@@ -82,13 +80,14 @@ class Runs:
         self.ask("replay", run)
         return read_trajectory(run / "trajectory.csv")
 
-    def out_of_reach(self, run, substeps):
-        """A copy of the run whose object stands where no finger comes, with other substeps."""
-        copy = self.folder / "out-of-reach" / str(substeps) / run.relative_to(self.folder)
+    def copy_with(self, run, changes):
+        """A copy of the run with other settings, `changes` by "section.key": what was learned stays."""
+        copy = Path(tempfile.mkdtemp(dir=self.folder)) / "run"
         shutil.copytree(run, copy)
         document = json.loads((copy / "run.json").read_text())
-        document["settings"]["object"]["hinge_x_m"] = OUT_OF_REACH_M
-        document["settings"]["physics"]["substeps"] = substeps
+        for name, value in changes.items():
+            section, key = name.split(".")
+            document["settings"][section][key] = value
         (copy / "run.json").write_text(json.dumps(document))
         return copy
 
