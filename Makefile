@@ -12,7 +12,7 @@ PREFIX ?= /usr/local
 
 .DEFAULT_GOAL := help
 .PHONY: help run test bench bench-peers performance plots first-figures hand-tables
-.PHONY: deps build sanitize format lint lint-format lint-tidy install clean gnuplot
+.PHONY: deps peers build sanitize format lint lint-format lint-tidy install clean gnuplot
 
 help: ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -27,24 +27,15 @@ run: build gnuplot ## train CPG-H on the small sphere, replay what it learned, a
 	$(TWIDDLE) replay $(DEMO)
 	plots/draw-run $(DEMO)
 
-test: build ## run all tests
+test: build peers ## run all tests
 	ctest --preset host --parallel $$(nproc)
 
 bench: build ## measure the speed of the full loop and of the controller's tick
 	$(BUILD)/bin/bench_control
 
-PEERS := bench/peers
-PEERS_VENV := build/peers-venv
-
-bench-peers: build $(PEERS_VENV)/installed ## compare speed and accuracy with MuJoCo from PyPI: make bench-peers PEERS_SETS=200
-	$(PEERS_VENV)/bin/python -B $(PEERS)/bench_peers.py --program $(BUILD)/bin/bench_rollouts --models models \
+bench-peers: build peers ## compare speed and accuracy with MuJoCo from PyPI: make bench-peers PEERS_SETS=200
+	PYTHONPATH=peers $(PEERS_VENV)/bin/python -B bench/bench_peers.py --program $(BUILD)/bin/bench_rollouts --models models \
 	    --sets $(PEERS_SETS) --out build/bench/peers.csv
-
-$(PEERS_VENV)/installed: $(PEERS)/requirements.txt | deps
-	@python3 -m venv --clear $(PEERS_VENV)
-	@$(PEERS_VENV)/bin/pip install -qqq --disable-pip-version-check --retries 1 --requirement $< || \
-	{ echo "make: pip could not install MuJoCo from PyPI, which bench-peers compares with; is PyPI reachable?" >&2; exit 1; }
-	@touch $@
 
 PERFORMANCE := build/bench/performance
 
@@ -132,6 +123,10 @@ CALIBRATION := results/calibration
 calibrate: build ## search a set-up that comes near the paper's tables (up to two hours; goes on where it was stopped)
 	$(TWIDDLE) calibrate models/calibrations/paper.toml --out $(CALIBRATION) --jobs $(JOBS)
 
+.PHONY: confirm
+confirm: build ## replay CPG-H's policies of a sweep in both steppers, and print the rotations side by side: make confirm SWEEP=paper
+	scripts/confirm-steppers results/$(SWEEP)
+
 # --- building ---
 
 # DEPS=no takes what is there, on machines whose packages are somebody else's business.
@@ -140,6 +135,12 @@ DEPS ?= yes
 deps:
 	@$(if $(filter no,$(DEPS)),:,scripts/install-deps)
 
+# The other engine, which tests and benchmarks compare with.
+PEERS_VENV := build/peers-venv
+
+peers: deps
+	@scripts/install-peers $(PEERS_VENV)
+
 # Ninja configures again by itself when a CMakeLists.txt changes.
 build/%/build.ninja: CMakePresets.json | deps
 	cmake --preset $*
@@ -147,7 +148,7 @@ build/%/build.ninja: CMakePresets.json | deps
 build: $(BUILD)/build.ninja deps ## build everything into build/host
 	cmake --build --preset host
 
-sanitize: build/sanitize/build.ninja deps ## build and test with the address and undefined-behaviour sanitizers
+sanitize: build/sanitize/build.ninja deps peers ## build and test with the address and undefined-behaviour sanitizers
 	cmake --build --preset sanitize
 	ctest --preset sanitize --parallel $$(nproc)
 

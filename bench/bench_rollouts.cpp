@@ -1,4 +1,4 @@
-// Trials of CPG-C with random parameters, for a comparison with another engine (peers/): what the hand is asked to do,
+// Trials of CPG-C with random parameters, for a comparison with another engine (bench_peers.py): what the hand is asked to do,
 // what it did, how fast that was computed, and the mechanics of the hand as Bullet sees them. Prints CSV.
 #include "work.hpp"
 

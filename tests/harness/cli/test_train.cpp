@@ -245,4 +245,43 @@ TEST(Train, replay_elsewhere_leaves_the_run_alone)
     EXPECT_NE(outcome.error.find("no policy.json"), std::string::npos) << outcome.error;
 }
 
+// --stepper replays in the other physics: the rotation that rollout gives with that stepper, and never in place of the run's own.
+TEST(Train, replay_with_another_stepper_is_that_steppers_rollout)
+{
+    const ScratchFolder folder;
+    const fs::path run = folder.path() / "run";
+    ASSERT_EQ(train(run).status, 0);
+    const std::string json = text_of(run / "run.json");
+    std::string parameters;
+    const auto policy = twiddle::record::read_json(run / "policy.json");
+    for (const auto &value : policy["parameters"]) {
+        parameters += (parameters.empty() ? "" : ",") + value.dump();
+    }
+    const fs::path out = folder.path() / "reference.csv";
+    for (const std::string stepper : {"reference", "fast"}) {
+        const std::string with_stepper = " --stepper " + stepper;
+        const Outcome outcome = run_twiddle("replay " + run.string() + with_stepper + " --out " + out.string());
+        ASSERT_EQ(outcome.status, 0) << outcome.error;
+        std::string rotation =
+            run_twiddle("rollout --object medium-cube --model cpg-h" + with_stepper, parameters + "\n").output;
+        rotation.pop_back();
+        const std::string text = text_of(out);
+        EXPECT_NE(text.find("# rotation_rad: " + rotation + "\n"), std::string::npos) << rotation;
+        EXPECT_NE(text.find("stepper: " + stepper + "\n"), std::string::npos);
+    }
+
+    const std::string reference = "replay " + run.string() + " --stepper reference";
+    for (const std::string &more : {std::string(), " --out " + (run / "." / "trajectory.csv").string()}) {
+        const Outcome outcome = run_twiddle(reference + more);
+        EXPECT_EQ(outcome.status, 2) << more;
+        EXPECT_TRUE(is_one_complaint(outcome.error)) << outcome.error;
+        EXPECT_NE(outcome.error.find("--out"), std::string::npos) << outcome.error;
+    }
+    const Outcome outcome = run_twiddle("replay " + run.string() + " --stepper ode --out " + out.string());
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.error.find("unknown value 'ode' for --stepper"), std::string::npos) << outcome.error;
+    EXPECT_EQ(files_in(run), (std::vector<std::string>{"policy.json", "run.json", "trials.csv"}));
+    EXPECT_EQ(text_of(run / "run.json"), json);
+}
+
 } // namespace

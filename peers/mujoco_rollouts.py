@@ -5,6 +5,21 @@ import numpy as np
 from mujoco.batch import Batch
 
 from mujoco_hand import HINGE
+from mujoco_state import controlled_joints
+
+
+def replay(model, desired_rad, substeps):
+    """One trial seen at the end of every control step: joint angles (control steps x joints) and rotations of the object
+    about palm +z, in rad. `desired_rad` is control steps x joints."""
+    data = mujoco.MjData(model)
+    joints = controlled_joints(model)
+    hinge = model.joint(HINGE).qposadr[0]
+    positions_rad = np.empty((len(desired_rad), model.nq))
+    for step, desired in enumerate(desired_rad):
+        data.ctrl[:] = desired
+        mujoco.mj_step(model, data, substeps)
+        positions_rad[step] = data.qpos
+    return positions_rad[:, joints], positions_rad[:, hinge]
 
 
 class Trials:

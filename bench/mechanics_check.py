@@ -3,7 +3,8 @@
 import mujoco
 import numpy as np
 
-from mujoco_hand import FINGERS, JOINTS
+from mujoco_hand import FINGERS
+from mujoco_state import controlled_joints, mass_matrix
 
 TIP_TOLERANCE_M = 1e-6
 RELATIVE_TOLERANCE = 1e-6
@@ -24,7 +25,7 @@ class Mechanics:
         self.model.opt.disableflags |= disable.mjDSBL_CONSTRAINT | disable.mjDSBL_ACTUATION
         self.model.body_gravcomp[:] = 0
         self.data = mujoco.MjData(self.model)
-        self.joints = [self.model.joint(name).dofadr[0] for name in JOINTS.values()]
+        self.joints = controlled_joints(self.model)
 
     def set_state(self, angle_rad, velocity_rad_s):
         self.data.qpos[self.joints] = angle_rad
@@ -38,9 +39,7 @@ class Mechanics:
         return self.data.qacc_smooth[self.joints]
 
     def mass(self):
-        full = np.zeros((self.model.nv, self.model.nv))
-        mujoco.mj_fullM(self.model, self.data, full)
-        return full[np.ix_(self.joints, self.joints)]
+        return mass_matrix(self.model, self.data, self.joints)
 
 
 def difference(ours, theirs):

@@ -27,7 +27,7 @@ TIME_CONSTANT_STEPS = 2
 @dataclass(frozen=True)
 class Options:
     """MuJoCo's choices that our model does not settle. The defaults are the fastest that were as accurate as any
-    (README.md); solver, iterations, tolerance and impedance are MuJoCo's own defaults."""
+    (bench/README.md); solver, iterations, tolerance and impedance are MuJoCo's own defaults."""
 
     integrator: str = "implicitfast"
     cone: str = "elliptic"
@@ -301,6 +301,8 @@ def mjcf(models, object_name, settings, substeps, options=Options()):
     """The model as MJCF text, for steps of 10 ms / substeps. `models` is the folder models/, `settings` the merged ones."""
     if settings["contact"]["index_thumb_contact"]:
         raise ValueError("the MuJoCo model has no contact between index and thumb; set contact.index_thumb_contact = false")
+    if settings["hand"]["pd_law"] != "plain":
+        raise ValueError("the MuJoCo model has the plain PD law alone; set hand.pd_law = plain")
     timestep_s = CONTROL_STEP_S / substeps
     root = xml.Element("mujoco", model=object_name)
     xml.SubElement(root, "compiler", angle="radian", autolimits="true")
