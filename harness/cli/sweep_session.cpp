@@ -3,6 +3,7 @@
 #include "errors.hpp"
 #include "folder_lock.hpp"
 #include "run_folder.hpp"
+#include "run_replay.hpp"
 #include "stop_request.hpp"
 #include "sweep_folder.hpp"
 #include "training_session.hpp"
@@ -34,10 +35,18 @@ std::string advice(const RunFolder &folder)
     return "remove '" + folder.path.string() + "' to train this run again";
 }
 
-// Whether nothing is missing of what a complete run has written.
-bool has_results(const RunFolder &folder)
+// Whether nothing is missing of what a complete training has written.
+bool is_trained(const std::optional<record::Run> &run, const RunFolder &folder)
 {
-    return std::filesystem::exists(folder.trials_csv()) && std::filesystem::exists(folder.policy_json());
+    return run && run->complete && std::filesystem::exists(folder.trials_csv()) &&
+           std::filesystem::exists(folder.policy_json());
+}
+
+// Whether there is nothing left to do for a run: it is trained, and its policy replayed.
+bool has_results(const std::optional<record::Run> &run, const RunFolder &folder)
+{
+    return is_trained(run, folder) && !run->replay.is_null() && std::filesystem::exists(folder.trajectory_csv()) &&
+           std::filesystem::exists(outline_beside(folder.trajectory_csv()));
 }
 
 // Run the session's trials to the end, or until Ctrl-C, or until nobody listens. Returns whether the end was reached.
@@ -101,8 +110,7 @@ bool SweepSession::is_complete(std::size_t index) const
     const experiment::PlannedRun &planned = plan_.runs[index];
     const RunFolder folder{folder_ / planned.folder};
     try {
-        const std::optional<record::Run> earlier = claim(folder, planned.specification, "");
-        return earlier && earlier->complete && has_results(folder);
+        return has_results(claim(folder, planned.specification, ""), folder);
     } catch (const UsageError &) {
         return false; // said by train()
     }
@@ -116,7 +124,9 @@ TaskEnd SweepSession::train(std::size_t index, const Reporter &report) const
     const FolderLock lock(folder.path);
     const std::optional<record::Run> earlier = claim(folder, planned.specification, advice(folder));
     const std::uint32_t trials = plan_.common.trials;
-    if (earlier && earlier->complete && has_results(folder)) { // by another process, in the meantime
+    if (is_trained(earlier, folder)) {
+        // Another process may have completed it in the meantime, or been stopped before the replay.
+        if (!has_results(earlier, folder)) add_replay_to(folder, models_);
         report({trials, trials, {}});
         return TaskEnd::complete;
     }
@@ -132,6 +142,7 @@ TaskEnd SweepSession::train(std::size_t index, const Reporter &report) const
     const std::uint32_t recalled = session.trials_done();
     if (!run_trials(session, report)) return TaskEnd::stopped;
     session.finish();
+    add_replay_to(folder, models_);
     report({trials, recalled, {}});
     return TaskEnd::complete;
 }

@@ -43,7 +43,7 @@ class SweepSession
     };
 
     bool is_complete(std::size_t index) const;
-    // The run's training, in a worker of its own.
+    // The run's training and the replay of its policy, in a worker of its own.
     TaskEnd train(std::size_t index, const Reporter &report) const;
     void note_end(std::size_t index, TaskEnd end, const std::string &sentence);
     record::SweepState state(const std::vector<std::size_t> &chosen, double elapsed_s) const;

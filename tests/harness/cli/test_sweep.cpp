@@ -154,13 +154,13 @@ class BackgroundSweep
     pid_t process_ = 0;
 };
 
-// The runs are as `twiddle train` makes them, and the number of jobs changes no byte. Expected: train's files.
-TEST(Sweep, runs_are_those_of_train_with_any_number_of_jobs)
+// The runs are as `twiddle train` and `twiddle replay` make them, and the number of jobs changes no byte. Expected: their files.
+TEST(Sweep, runs_are_those_of_train_and_replay_with_any_number_of_jobs)
 {
     const ScratchFolder folder;
     const fs::path manifest = folder.write("mine.toml", manifest_text(12));
     const auto files = expected_files(folder, manifest);
-    EXPECT_EQ(files.size(), 1 + 3 * folders.size()); // sweep.json; run.json, trials.csv and policy.json
+    EXPECT_EQ(files.size(), 1 + 5 * folders.size()); // sweep.json; run.json, policy.json and three tables
     const fs::path out = folder.path() / "two";
     EXPECT_EQ(sweep(manifest, out, "--jobs 2").status, 0);
     EXPECT_EQ(files_below(out), files);
@@ -172,6 +172,8 @@ TEST(Sweep, runs_are_those_of_train_with_any_number_of_jobs)
                     trained.string())
             .status,
         0);
+    ASSERT_EQ(run_twiddle("replay " + trained.string()).status, 0);
+    EXPECT_EQ(files_below(trained).size(), 5U);
     for (const auto &[name, text] : files_below(trained)) {
         EXPECT_EQ(files.at(folders.back() + "/" + name), text) << name;
     }
@@ -256,6 +258,29 @@ TEST(Sweep, half_written_first_files_are_no_obstacle)
     EXPECT_EQ(files_below(out), files);
 }
 
+// A run that is trained but not replayed, as a kill between the two leaves it, gets its replay and keeps the rest to the time of
+// every file. Expected: the uninterrupted sweep's files.
+TEST(Sweep, missing_replay_is_made_up_for_without_training)
+{
+    const ScratchFolder folder;
+    const fs::path manifest = folder.write("mine.toml", manifest_text(3));
+    const auto files = expected_files(folder, manifest);
+    const fs::path out = folder.path() / "whole";
+    const fs::path run = out / folders[0];
+    fs::remove(run / "trajectory.csv");
+    fs::remove(run / "object_outline.csv");
+    auto json = twiddle::record::read_json(run / "run.json");
+    json.erase("replay");
+    twiddle::record::write_json(run / "run.json", json);
+    fs::remove(out / folders[1] / "object_outline.csv");
+    const auto trained = fs::last_write_time(run / "trials.csv");
+    const Outcome outcome = sweep(manifest, out);
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_NE(outcome.output.find("3 were before"), std::string::npos) << outcome.output;
+    EXPECT_EQ(files_below(out), files);
+    EXPECT_EQ(fs::last_write_time(run / "trials.csv"), trained);
+}
+
 // --only does one run; tasks that start together make the sweep. Expected: the files of a sweep in one go.
 TEST(Sweep, single_runs_started_together_make_the_sweep)
 {
@@ -279,7 +304,7 @@ TEST(Sweep, single_runs_started_together_make_the_sweep)
 
     const fs::path one = folder.path() / "one";
     EXPECT_EQ(sweep(manifest, one, "--only 4").status, 0);
-    EXPECT_EQ(files_below(one).size(), 4U);
+    EXPECT_EQ(files_below(one).size(), 6U);
     EXPECT_TRUE(fs::exists(one / folders[4] / "policy.json"));
 }
 
