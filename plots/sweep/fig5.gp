@@ -33,7 +33,7 @@ unset key
 
 eval start_panels
 set xrange [0:trials]
-set xtics tic_step(trials, 5)
+set xtics tic_step(trials, 4)
 set yrange [lowest - gap:highest + gap]
 do for [size = 1:3] {
     do for [shape = 1:3] {

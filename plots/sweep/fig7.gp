@@ -31,8 +31,10 @@ do for [a = 1:3] {
             if (STATS_max > upper[a]) { upper[a] = STATS_max }
             do for [part in "index_ thumb_"] {
                 stats trajectory(m) using (coordinate(part, a)) nooutput
-                if (STATS_min < lower[a]) { lower[a] = STATS_min }
-                if (STATS_max > upper[a]) { upper[a] = STATS_max }
+                if (exists('STATS_min')) { # not after a fault in the first step
+                    if (STATS_min < lower[a]) { lower[a] = STATS_min }
+                    if (STATS_max > upper[a]) { upper[a] = STATS_max }
+                }
             }
         }
     }
