@@ -27,7 +27,7 @@ eval place_legend
 set key maxrows 2 width 0
 plot [0:1] [0:1] for [m = 1:4] NaN with lines linecolor rgb model_colours[m] dashtype model_dashes[m] \
         linewidth model_widths[m] title model_names[m], \
-    NaN with lines linecolor rgb orange dashtype dash_dotted linewidth thin title 'CPG-H, best run', \
+    NaN with lines linecolor rgb black dashtype dash_dotted linewidth thin title 'CPG-H, best run', \
     NaN with boxes fillstyle solid 1 noborder fillcolor rgb light_grey title 'mean ± sd over runs'
 unset key
 
@@ -50,7 +50,7 @@ do for [size = 1:3] {
                 for [m = 1:4] curves using "trial":(mean_of(object, models[m])) with lines \
                     linecolor rgb model_colours[m] dashtype model_dashes[m] linewidth model_widths[m], \
                 curves using "trial":(of(object, 'cpg-h', 'true') ? column('best_run_rad') : NaN) with lines \
-                    linecolor rgb orange dashtype dash_dotted linewidth thin
+                    linecolor rgb black dashtype dash_dotted linewidth thin
         }
     }
 }
