@@ -11,7 +11,7 @@ PEERS_SETS ?= 200
 PREFIX ?= /usr/local
 
 .DEFAULT_GOAL := help
-.PHONY: help run test bench bench-peers performance plots first-figures hand-tables
+.PHONY: help run test bench bench-peers performance plots hand-tables
 .PHONY: deps peers build sanitize format lint lint-format lint-tidy install clean gnuplot
 
 help: ## print this list
@@ -47,42 +47,13 @@ performance: build gnuplot ## measure how the cost of a control step grows with 
 	        plots/performance.gp || exit 1; echo "$(PERFORMANCE).$$format"; done
 	scripts/performance-table build/bench/growth.csv
 
-plots: ## draw one run again: make plots RUN=results/demo
-	plots/draw-run $(RUN)
+plots: ## draw the figures of one run again, or of a sweep: make plots RUN=results/demo, or SWEEP=paper
+	$(if $(filter file,$(origin SWEEP)),plots/draw-run $(RUN),plots/draw-sweep results/$(SWEEP))
 
 # Said before the training, not after it.
 gnuplot:
 	@command -v gnuplot >/dev/null || \
 	{ echo "make: gnuplot is not installed; scripts/install-deps installs it" >&2; exit 1; }
-
-# --- the first figures: 3 objects x 5 models x 5 seeds ---
-
-FIRST := results/first
-FIRST_TRIALS := 5000
-FIRST_OBJECTS := small-sphere medium-cylinder large-cube
-FIRST_MODELS := cpg-s cpg-m cpg-c cpg-h cpg-h-no-centre
-FIRST_SEEDS := 1 2 3 4 5
-FIRST_CELLS := $(foreach object,$(FIRST_OBJECTS),$(addprefix $(object)/,$(FIRST_MODELS)))
-FIRST_RUNS := $(foreach seed,$(FIRST_SEEDS),$(FIRST_CELLS:%=$(FIRST)/%/seed-$(seed)))
-
-# The parts of OBJECT/MODEL[-no-centre]/seed-N.
-part = $(word $(1),$(subst /, ,$*))
-first_object = $(call part,1)
-first_model = $(patsubst %-no-centre,%,$(call part,2)) $(if $(findstring -no-centre,$(call part,2)),--no-centre)
-first_seed = $(patsubst seed-%,%,$(call part,3))
-
-first-figures: build gnuplot ## train the runs of README's first table (JOBS=2 at a time; goes on where it was stopped) and print it
-	+@$(MAKE) --no-print-directory --jobs=$(JOBS) --output-sync=target $(FIRST_RUNS)
-	scripts/summarise-first $(FIRST)
-	@for format in svg png; do \
-	    gnuplot -d -e "summary='$(FIRST)/summary.csv'; output='$(FIRST)/first_results.$$format'; format='$$format'" \
-	        plots/first_results.gp || exit 1; echo "$(FIRST)/first_results.$$format"; done
-
-# A finished run says so and ends; one of other settings in the same folder is refused.
-.PHONY: $(FIRST_RUNS)
-$(FIRST_RUNS): $(FIRST)/%:
-	@$(TWIDDLE) train --object $(first_object) --model $(first_model) --seed $(first_seed) \
-	    --trials $(FIRST_TRIALS) --out $@ --resume
 
 # --- the paper's experiments: a sweep of models/sweeps ---
 
@@ -104,7 +75,7 @@ WAIT ?= 1
 .PHONY: paper paper-local paper-slurm paper-results
 paper: paper-$(ENGINE) ## train all runs of a sweep into results/SWEEP and make its results; goes on where it was stopped: make paper SWEEP=smoke JOBS=2, or ENGINE=slurm
 
-paper-local: build
+paper-local: build gnuplot
 	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out $(RESULTS) --jobs $(JOBS)
 	+@$(MAKE) --no-print-directory paper-results
 
@@ -114,8 +85,9 @@ paper-slurm: build
 	    $(if $(filter 0,$(WAIT)),--no-wait) models/sweeps/$(SWEEP).toml $(RESULTS) \
 	    make --no-print-directory paper-results SWEEP=$(SWEEP) RESULTS=$(RESULTS) BUILD=$(BUILD)
 
-paper-results: ## make tables from the complete runs of a sweep, with the program as it is built: make paper-results SWEEP=smoke
+paper-results: gnuplot ## make tables and figures from the complete runs of a sweep, with the program as it is built: make paper-results SWEEP=smoke
 	$(TWIDDLE) summarize $(RESULTS)
+	plots/draw-sweep $(RESULTS)
 
 CALIBRATION := results/calibration
 

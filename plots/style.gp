@@ -24,8 +24,10 @@ light_grey = '#DDDDDD'
 
 dashed = 2
 dotted = 3
+dash_dotted = 4
 set dashtype 2 (14, 11)
 set dashtype 3 (1, 8)
+set dashtype 4 (14, 8, 2, 8)
 
 if (format eq 'png') {
     set terminal pngcairo enhanced size 2 * width, 2 * height font 'DejaVu Sans,10' rounded \
@@ -61,6 +63,10 @@ running_mean(value, row) = \
      recent_sum = recent_sum + value - (row < window ? 0 : recent[slot(row)]), \
      recent[slot(row)] = value, \
      row + 1 < window ? NaN : recent_sum / window)
+
+# The step of round numbers that parts `span` into at most `parts`.
+tic_step(span, parts) = (tic_raw = real(span) / parts, tic_power = 10 ** floor(log10(tic_raw)), \
+    tic_power * (tic_raw <= tic_power ? 1 : tic_raw <= 2 * tic_power ? 2 : tic_raw <= 5 * tic_power ? 5 : 10))
 
 degrees(angle_rad) = angle_rad * 180 / pi
 millimetres(length_m) = length_m * 1000

@@ -1,7 +1,9 @@
 #include "commands.hpp"
 #include "errors.hpp"
+#include "experiment/figure_data.hpp"
 #include "experiment/sweep_tables_text.hpp"
 #include "record/part_file.hpp"
+#include "sweep_folder.hpp"
 
 #include <iostream>
 #include <memory>
@@ -43,6 +45,10 @@ int summarize(const SummarizeOptions &options)
     write_text(folder / "table1.csv", experiment::table1_csv(sweep, tables));
     write_text(folder / "table2.csv", experiment::table2_csv(sweep, tables));
     write_text(folder / "tables.md", experiment::tables_markdown(sweep, tables));
+    const std::filesystem::path figure_data = folder / "figures" / "data";
+    make_folder(figure_data);
+    write_text(figure_data / "learning_curves.csv", experiment::learning_curves_csv(sweep, cells));
+    write_text(figure_data / "best_runs.csv", experiment::best_runs_csv(sweep, cells));
     return 0;
 }
 
@@ -51,7 +57,9 @@ int summarize(const SummarizeOptions &options)
 void add_summarize(CLI::App &app, Session &session)
 {
     CLI::App *command = app.add_subcommand(
-        "summarize", "Make the paper's tables of a complete sweep; writes table1.csv, table2.csv, tables.md");
+        "summarize",
+        "Make the paper's tables of a complete sweep, and the data of its figures; writes table1.csv, table2.csv, "
+        "tables.md, figures/data");
     const auto options = std::make_shared<SummarizeOptions>();
     command->add_option("DIR", options->sweep_dir, "Folder of the sweep, with sweep.json")->required()->type_name("");
     command->add_option("--paper", options->paper_dir, "Folder of the paper's tables as CSV")->type_name("DIR");

@@ -69,12 +69,13 @@ std::optional<double> rotation_of(std::string_view row, const Columns &columns, 
     return rotation_rad;
 }
 
-std::vector<double> last_rotations(std::string_view text, std::uint32_t trials, std::uint32_t last)
+std::vector<double> all_rotations(std::string_view text, std::uint32_t trials)
 {
     if (text.empty() || text.back() != '\n') throw std::runtime_error("does not end with a whole line");
     std::optional<Columns> columns;
     std::uint64_t rows = 0;
     std::vector<double> rotation_rad;
+    rotation_rad.reserve(trials);
     while (!text.empty()) {
         const std::string_view line = take_until('\n', text);
         if (line.empty() || line.front() == '#') continue;
@@ -85,7 +86,7 @@ std::vector<double> last_rotations(std::string_view text, std::uint32_t trials, 
         ++rows;
         const std::optional<double> rotation = rotation_of(line, *columns, rows);
         if (!rotation) throw std::runtime_error("has no valid row of trial " + std::to_string(rows));
-        if (rows + last > trials) rotation_rad.push_back(*rotation);
+        rotation_rad.push_back(*rotation);
     }
     if (!columns) throw std::runtime_error("has no column 'trial'");
     if (rows != trials)
@@ -95,11 +96,11 @@ std::vector<double> last_rotations(std::string_view text, std::uint32_t trials, 
 
 } // namespace
 
-std::vector<double> read_last_rotations(const std::filesystem::path &path, std::uint32_t trials, std::uint32_t last)
+std::vector<double> read_rotations(const std::filesystem::path &path, std::uint32_t trials)
 {
     const std::string text = read_text(path);
     try {
-        return last_rotations(text, trials, last);
+        return all_rotations(text, trials);
     } catch (const std::runtime_error &error) {
         throw std::runtime_error("'" + path.string() + "' " + error.what());
     }

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 namespace twiddle::experiment
 {
@@ -109,6 +110,11 @@ void require_same_settings(record::RunSpecification run, const record::RunSpecif
                                  "' has other settings than the first run of its model and object");
 }
 
+double mean_of_last(const std::vector<double> &values, std::uint32_t last)
+{
+    return mean({values.end() - static_cast<std::ptrdiff_t>(last), values.end()});
+}
+
 } // namespace
 
 std::uint32_t last_trials(const Sweep &sweep)
@@ -148,13 +154,14 @@ std::vector<Cell> read_cells(const fs::path &folder, const Sweep &sweep)
         auto cell = std::find_if(cells.begin(), cells.end(),
                                  [&](const Cell &known) { return cell_key(known) == cell_key(listed); });
         if (cell == cells.end()) {
-            cell = cells.insert(cells.end(), {listed.variant, listed.object, listed.model, listed.centre, {}});
+            cell = cells.insert(cells.end(), {listed.variant, listed.object, listed.model, listed.centre, {}, {}});
             first_of_cell.push_back(run.specification);
         }
         require_same_settings(run.specification, first_of_cell[static_cast<std::size_t>(cell - cells.begin())],
                               run_folder / "run.json");
-        cell->rotation_rad.push_back(
-            mean(read_last_rotations(run_folder / "trials.csv", sweep.trials, last_trials(sweep))));
+        std::vector<double> rotation_rad = read_rotations(run_folder / "trials.csv", sweep.trials);
+        cell->rotation_rad.push_back(mean_of_last(rotation_rad, last_trials(sweep)));
+        cell->runs.push_back({listed.folder, listed.seed, std::move(rotation_rad)});
     }
     return cells;
 }

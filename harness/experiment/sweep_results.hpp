@@ -29,6 +29,13 @@ struct Sweep {
     std::vector<SweepRun> runs;
 };
 
+// A complete run of a cell.
+struct CellRun {
+    std::string folder; // relative to the sweep's
+    std::uint64_t seed = 0;
+    std::vector<double> trial_rotation_rad; // of every trial
+};
+
 // The runs that differ in nothing but the seed.
 struct Cell {
     std::string variant;
@@ -36,6 +43,7 @@ struct Cell {
     std::string model;
     bool centre = true;
     std::vector<double> rotation_rad; // one value a run: its mean over the last trials
+    std::vector<CellRun> runs;        // in the same order
 };
 
 // A run counts with the mean rotation of this many trials at its end, of all where it has fewer.

@@ -1,8 +1,7 @@
 #include "sweep_tables_text.hpp"
 
 #include "mann_whitney.hpp"
-#include "record/number_text.hpp"
-#include "record/versions.hpp"
+#include "results_text.hpp"
 
 #include <algorithm>
 #include <iomanip>
@@ -15,8 +14,6 @@ namespace twiddle::experiment
 namespace
 {
 
-using Texts = std::vector<std::string>;
-
 const Texts cell_columns = {"variant",  "object", "model",    "centre",    "runs",
                             "mean_rad", "sd_rad", "best_rad", "lower_rad", "upper_rad"};
 
@@ -26,76 +23,19 @@ const std::string bootstrap_text = "95 % percentile bootstrap interval of the me
 const std::string exact_text = "exact without ties and up to " + std::to_string(exact_group_size) +
                                " runs a cell, else by the normal approximation corrected for ties";
 
-Texts joined(Texts first, const Texts &second)
-{
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
-
-// Which trials count.
-std::string last_trials_text(const Sweep &sweep)
-{
-    const std::string trials = std::to_string(sweep.trials);
-    if (sweep.trials < most_last_trials)
-        return "over all " + trials + " trials, since the runs have fewer than " + std::to_string(most_last_trials);
-    return "over the last " + std::to_string(last_trials(sweep)) + " of " + trials + " trials";
-}
-
-std::string rotation_text(const Sweep &sweep)
-{
-    return "a run counts with its mean rotation in rad " + last_trials_text(sweep);
-}
-
-std::string origin_text(const Sweep &sweep)
-{
-    return "sweep " + sweep.name + " of " + sweep.version + ", summarized by " + record::version_line();
-}
-
-std::string csv_line(const Texts &cells)
-{
-    std::string line;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        line += (i > 0 ? "," : "") + cells[i];
-    }
-    return line + "\n";
-}
-
-std::string csv_text(const Texts &comments, const Texts &columns, const std::vector<Texts> &rows)
-{
-    std::string text;
-    for (const std::string &comment : comments) {
-        text += "# " + comment + "\n";
-    }
-    text += csv_line(columns);
-    for (const Texts &row : rows) {
-        text += csv_line(row);
-    }
-    return text;
-}
-
-std::string full(const std::optional<double> &value)
-{
-    return value ? record::number_text(*value) : "";
-}
-
-std::string truth(bool value)
-{
-    return value ? "true" : "false";
-}
-
 Texts csv_cells(const CellSummary &cell)
 {
     const std::optional<Interval> &interval = cell.interval_rad;
     return {cell.variant,
             cell.object,
             cell.model,
-            truth(cell.centre),
+            truth_cell(cell.centre),
             std::to_string(cell.runs),
-            full(cell.mean_rad),
-            full(cell.sd_rad),
-            full(cell.best_rad),
-            interval ? full(interval->lower) : "",
-            interval ? full(interval->upper) : ""};
+            number_cell(cell.mean_rad),
+            number_cell(cell.sd_rad),
+            number_cell(cell.best_rad),
+            interval ? number_cell(interval->lower) : "",
+            interval ? number_cell(interval->upper) : ""};
 }
 
 std::string fixed(double value, int digits)
@@ -225,7 +165,7 @@ std::string table1_csv(const Sweep &sweep, const SweepTables &tables)
 {
     std::vector<Texts> rows;
     for (const CentreRow &row : tables.centre) {
-        rows.push_back(joined(csv_cells(row.cell), {full(row.p), row.paper_reward}));
+        rows.push_back(joined(csv_cells(row.cell), {number_cell(row.p), row.paper_reward}));
     }
     return csv_text(
         {"Table 1: CPG-H with and without the parameters that set the centres of oscillation, beside the "
@@ -241,9 +181,10 @@ std::string table2_csv(const Sweep &sweep, const SweepTables &tables)
     std::vector<Texts> rows;
     for (const ModelRow &row : tables.models) {
         const std::optional<Comparison> &comparison = row.comparison;
-        rows.push_back(joined(csv_cells(row.cell), {truth(row.winner), comparison ? full(comparison->p) : "",
-                                                    comparison ? full(comparison->p_holm) : "", row.paper.mean,
-                                                    row.paper.sd, row.paper.best}));
+        rows.push_back(
+            joined(csv_cells(row.cell),
+                   {truth_cell(row.winner), comparison ? number_cell(comparison->p) : "",
+                    comparison ? number_cell(comparison->p_holm) : "", row.paper.mean, row.paper.sd, row.paper.best}));
     }
     return csv_text({"Table 2: the four models with centre, beside the paper's",
                      rotation_text(sweep) + "; sd_rad: n - 1", "lower_rad, upper_rad: " + bootstrap_text,

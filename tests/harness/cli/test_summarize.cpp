@@ -134,6 +134,7 @@ void expect_refusal(const ScratchFolder &folder, int status, std::initializer_li
     for (const char *table : {"table1.csv", "table2.csv", "tables.md", "table1.csv.part"}) {
         EXPECT_FALSE(fs::exists(folder.path() / table)) << table;
     }
+    EXPECT_FALSE(fs::exists(folder.path() / "figures"));
 }
 
 // Table 1. Expected, by hand: of 5, 6, 7, 8 the standard deviation is sqrt(5 / 3); of the 256 resamples' sums 5 lie below 22, 15
@@ -189,6 +190,30 @@ TEST(Summarize, table2_has_the_winner_and_its_tests)
           "these numbers of runs can give, without ties, is 0.0571.\n"}) {
         EXPECT_NE(markdown.find(line), std::string::npos) << line << " is not in\n" << markdown;
     }
+}
+
+// The figures' data come with the tables. Expected, by hand: of 502 trials the first point's two are 99 and 48 are in turn one
+// below and one above the run's mean; the last point has two trials, one below and one above. What the columns hold: test_figure_data.
+TEST(Summarize, figures_have_their_data)
+{
+    const ScratchFolder folder;
+    write_sweep(folder, 502, tiny);
+    const Outcome outcome = summarize(folder);
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const fs::path data = folder.path() / "figures" / "data";
+    EXPECT_NE(outcome.output.find((data / "learning_curves.csv").string()), std::string::npos) << outcome.output;
+    const std::vector<Row> curves = rows_of(data / "learning_curves.csv");
+    ASSERT_EQ(curves.size(), 4 * 11U);
+    expect_texts(curves[0], {{"object", "small-sphere"}, {"model", "cpg-c"}, {"centre", "true"}, {"runs", "4"}});
+    expect_numbers(curves[0], {{"trial", 25.5},
+                               {"mean_rad", (2 * 99 + 48 * 2.5) / 50},
+                               {"sd_rad", 1.2909944487358056 * 48 / 50},
+                               {"best_run_rad", (2 * 99 + 48 * 4.0) / 50}});
+    expect_numbers(curves[10], {{"trial", 501.5}, {"mean_rad", 2.5}, {"best_run_rad", 4}});
+    const std::vector<Row> best = rows_of(data / "best_runs.csv");
+    ASSERT_EQ(best.size(), 4 * 2U);
+    expect_texts(best[2], {{"model", "cpg-h"}, {"rank", "1"}, {"seed", "4"}, {"folder", "small-sphere/cpg-h/seed-4"}});
+    expect_numbers(best[3], {{"rank", 2}, {"seed", 3}, {"rotation_rad", 7}});
 }
 
 // The same sweep gives the same bytes.

@@ -281,6 +281,52 @@ TEST(Sweep, missing_replay_is_made_up_for_without_training)
     EXPECT_EQ(fs::last_write_time(run / "trials.csv"), trained);
 }
 
+// A set-up far beyond any hand: torques of 10 N m every 10 ms on an object of 1 g.
+const std::string wild_manifest = R"(trials = 1
+stepper = "reference"
+[[runs]]
+objects = ["small-sphere"]
+models = ["cpg-c"]
+seeds = 4
+variant = "wild"
+[runs.set]
+"hand.damping_nms_per_rad" = { fei = 1, aai = 1, fet = 1, ot = 1 }
+"hand.stiffness_nm_per_rad" = { fei = 10, aai = 10, fet = 10, ot = 10 }
+"hand.torque_limit_nm" = 10
+"physics.substeps" = 1
+"object.mass_kg" = 0.001
+"learner.reward_per_rad" = 0.0001
+)";
+
+// A replay that the simulation cannot finish leaves the run complete: run.json has the fault's sentence, which `twiddle replay` ends
+// with, and the trajectory has the steps before it.
+TEST(Sweep, fault_in_a_replay_leaves_the_run_complete)
+{
+    const ScratchFolder folder;
+    const fs::path manifest = folder.write("wild.toml", wild_manifest);
+    const fs::path out = folder.path() / "out";
+    const Outcome outcome = sweep(manifest, out);
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    int faults = 0;
+    for (const char *seed : {"seed-1", "seed-2", "seed-3", "seed-4"}) {
+        const fs::path run = out / "wild" / "small-sphere" / "cpg-c" / seed;
+        const twiddle::record::Json replay = twiddle::record::read_json(run / "run.json")["replay"];
+        if (!replay.contains("fault")) continue;
+        ++faults;
+        const auto fault = replay["fault"].get<std::string>();
+        const std::string trajectory = text_of(run / "trajectory.csv");
+        EXPECT_NE(trajectory.find("# fault: " + fault), std::string::npos) << trajectory.substr(0, 500);
+        const std::string last = trajectory.substr(trajectory.rfind('\n', trajectory.size() - 2) + 1);
+        EXPECT_NE(fault.find("in step " + std::to_string(std::stoi(last) + 1) + ";"), std::string::npos) << fault;
+        const Outcome again = run_twiddle("replay " + run.string());
+        EXPECT_EQ(again.status, 1);
+        EXPECT_NE(again.error.find(fault), std::string::npos) << again.error;
+    }
+    EXPECT_GT(faults, 0) << "the set-up is not wild enough";
+    const Outcome second = sweep(manifest, out);
+    EXPECT_NE(second.output.find("4 were before"), std::string::npos) << second.output;
+}
+
 // --only does one run; tasks that start together make the sweep. Expected: the files of a sweep in one go.
 TEST(Sweep, single_runs_started_together_make_the_sweep)
 {
