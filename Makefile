@@ -96,11 +96,14 @@ $(FIRST_RUNS): $(FIRST)/%:
 # --- the paper's experiments: a sweep of models/sweeps ---
 
 SWEEP ?= paper
+# A set-up for all of its runs, instead of the manifest's.
+SETUP ?=
+RESULTS ?= results/$(SWEEP)$(if $(SETUP),-$(basename $(notdir $(SETUP))))
 
 .PHONY: paper
-paper: build ## train all runs of a sweep into results/SWEEP and make its tables; goes on where it was stopped: make paper SWEEP=smoke JOBS=2
-	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out results/$(SWEEP) --jobs $(JOBS)
-	$(TWIDDLE) summarize results/$(SWEEP)
+paper: build ## train all runs of a sweep into results/SWEEP[-SETUP] and make its tables; goes on where it was stopped: make paper SWEEP=smoke SETUP=near JOBS=2
+	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out $(RESULTS) --jobs $(JOBS) $(if $(SETUP),--setup $(SETUP))
+	$(TWIDDLE) summarize $(RESULTS)
 
 # --- building ---
 

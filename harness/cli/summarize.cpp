@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "errors.hpp"
 #include "experiment/sweep_tables_text.hpp"
+#include "experiment/variant_table_text.hpp"
 #include "record/part_file.hpp"
 
 #include <iostream>
@@ -43,6 +44,11 @@ int summarize(const SummarizeOptions &options)
     write_text(folder / "table1.csv", experiment::table1_csv(sweep, tables));
     write_text(folder / "table2.csv", experiment::table2_csv(sweep, tables));
     write_text(folder / "tables.md", experiment::tables_markdown(sweep, tables));
+    const experiment::VariantTable variants = experiment::variant_table(sweep, cells);
+    if (!variants.rows.empty()) {
+        write_text(folder / "choices.csv", experiment::variants_csv(sweep, variants));
+        write_text(folder / "choices.md", experiment::variants_markdown(sweep, variants));
+    }
     return 0;
 }
 
@@ -51,7 +57,9 @@ int summarize(const SummarizeOptions &options)
 void add_summarize(CLI::App &app, Session &session)
 {
     CLI::App *command = app.add_subcommand(
-        "summarize", "Make the paper's tables of a complete sweep; writes table1.csv, table2.csv, tables.md");
+        "summarize",
+        "Make the paper's tables of a complete sweep; writes table1.csv, table2.csv, tables.md; of a sweep "
+        "with variants also choices.csv, choices.md");
     const auto options = std::make_shared<SummarizeOptions>();
     command->add_option("DIR", options->sweep_dir, "Folder of the sweep, with sweep.json")->required()->type_name("");
     command->add_option("--paper", options->paper_dir, "Folder of the paper's tables as CSV")->type_name("DIR");

@@ -37,6 +37,16 @@ double quantile(const std::vector<double> &sorted, double share)
     return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
+// The middle 95 % of what `draw` gives from a generator that is seeded anew for every call, so that no group depends on others.
+template <class Draw> Interval middle_of_resamples(const Draw &draw)
+{
+    std::mt19937_64 generator(bootstrap_seed);
+    std::vector<double> found(bootstrap_resamples);
+    std::generate(found.begin(), found.end(), [&] { return draw(generator); });
+    std::sort(found.begin(), found.end());
+    return {quantile(found, tail), quantile(found, 1 - tail)};
+}
+
 } // namespace
 
 double mean(const std::vector<double> &values)
@@ -51,11 +61,28 @@ double standard_deviation(const std::vector<double> &values)
 
 Interval bootstrap_interval_of_mean(const std::vector<double> &values)
 {
-    std::mt19937_64 generator(bootstrap_seed); // anew for every group, so that none depends on the others
-    std::vector<double> means(bootstrap_resamples);
-    std::generate(means.begin(), means.end(), [&] { return mean_of_resample(values, generator); });
-    std::sort(means.begin(), means.end());
-    return {quantile(means, tail), quantile(means, 1 - tail)};
+    return middle_of_resamples([&](std::mt19937_64 &generator) { return mean_of_resample(values, generator); });
+}
+
+double mean_difference(const std::vector<Contrast> &cells)
+{
+    double sum = 0;
+    for (const Contrast &cell : cells) {
+        sum += mean(cell.changed) - mean(cell.base);
+    }
+    return sum / static_cast<double>(cells.size());
+}
+
+Interval bootstrap_interval_of_mean_difference(const std::vector<Contrast> &cells)
+{
+    return middle_of_resamples([&](std::mt19937_64 &generator) {
+        double sum = 0;
+        for (const Contrast &cell : cells) {
+            const double changed = mean_of_resample(cell.changed, generator);
+            sum += changed - mean_of_resample(cell.base, generator);
+        }
+        return sum / static_cast<double>(cells.size());
+    });
 }
 
 std::vector<double> holm_corrected(const std::vector<double> &p_values)

@@ -1,21 +1,15 @@
 #include "sweep_tables_text.hpp"
 
 #include "mann_whitney.hpp"
-#include "record/number_text.hpp"
-#include "record/versions.hpp"
+#include "table_text.hpp"
 
 #include <algorithm>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
 namespace twiddle::experiment
 {
 
 namespace
 {
-
-using Texts = std::vector<std::string>;
 
 const Texts cell_columns = {"variant",  "object", "model",    "centre",    "runs",
                             "mean_rad", "sd_rad", "best_rad", "lower_rad", "upper_rad"};
@@ -30,57 +24,6 @@ Texts joined(Texts first, const Texts &second)
 {
     first.insert(first.end(), second.begin(), second.end());
     return first;
-}
-
-// Which trials count.
-std::string last_trials_text(const Sweep &sweep)
-{
-    const std::string trials = std::to_string(sweep.trials);
-    if (sweep.trials < most_last_trials)
-        return "over all " + trials + " trials, since the runs have fewer than " + std::to_string(most_last_trials);
-    return "over the last " + std::to_string(last_trials(sweep)) + " of " + trials + " trials";
-}
-
-std::string rotation_text(const Sweep &sweep)
-{
-    return "a run counts with its mean rotation in rad " + last_trials_text(sweep);
-}
-
-std::string origin_text(const Sweep &sweep)
-{
-    return "sweep " + sweep.name + " of " + sweep.version + ", summarized by " + record::version_line();
-}
-
-std::string csv_line(const Texts &cells)
-{
-    std::string line;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        line += (i > 0 ? "," : "") + cells[i];
-    }
-    return line + "\n";
-}
-
-std::string csv_text(const Texts &comments, const Texts &columns, const std::vector<Texts> &rows)
-{
-    std::string text;
-    for (const std::string &comment : comments) {
-        text += "# " + comment + "\n";
-    }
-    text += csv_line(columns);
-    for (const Texts &row : rows) {
-        text += csv_line(row);
-    }
-    return text;
-}
-
-std::string full(const std::optional<double> &value)
-{
-    return value ? record::number_text(*value) : "";
-}
-
-std::string truth(bool value)
-{
-    return value ? "true" : "false";
 }
 
 Texts csv_cells(const CellSummary &cell)
@@ -98,56 +41,20 @@ Texts csv_cells(const CellSummary &cell)
             interval ? full(interval->upper) : ""};
 }
 
-std::string fixed(double value, int digits)
-{
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::fixed << std::setprecision(digits) << value;
-    return text.str();
-}
-
 std::string p_text(double p)
 {
     return p < 0.0001 ? "< 0.0001" : fixed(p, 4);
 }
 
-std::string markdown_row(const Texts &cells)
-{
-    std::string row = "|";
-    for (const std::string &cell : cells) {
-        row += " " + cell + " |";
-    }
-    return row + "\n";
-}
-
-std::string markdown_table(const Texts &columns, const std::vector<Texts> &rows)
-{
-    if (rows.empty()) return "The sweep has no runs of this table.\n";
-    std::string text = markdown_row(columns) + markdown_row(Texts(columns.size(), "---"));
-    for (const Texts &row : rows) {
-        text += markdown_row(row);
-    }
-    return text;
-}
-
 const Texts markdown_cell_columns = {"variant",       "object", "model", "rotation (rad): mean ± sd (best)",
                                      "95 % interval", "runs"};
-
-std::string model_text(const CellSummary &cell)
-{
-    std::string name = cell.model;
-    std::transform(name.begin(), name.end(), name.begin(), [](char letter) {
-        return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 32) : letter;
-    });
-    return name + (cell.centre ? "" : " without centre");
-}
 
 Texts markdown_cells(const CellSummary &cell)
 {
     const std::optional<Interval> &interval = cell.interval_rad;
     return {cell.variant.empty() ? "-" : cell.variant,
             cell.object,
-            model_text(cell),
+            model_text(cell.model, cell.centre),
             fixed(cell.mean_rad, 3) + " ± " + (cell.sd_rad ? fixed(*cell.sd_rad, 3) : "-") + " (" +
                 fixed(cell.best_rad, 3) + ")",
             interval ? fixed(interval->lower, 3) + " to " + fixed(interval->upper, 3) : "-",
