@@ -147,28 +147,34 @@ TEST(Sweep, interrupted_sweep_goes_on_to_the_same_bytes)
     }
 }
 
-// A disk that is full in the middle of a sweep: one sentence that names the first run's file and the reason, status 1; when there is
-// room again, the same command gives the same bytes. 4 blocks hold run.json's first half, 16 hold a part of the trials, 24 the
-// trials of some runs.
+// A disk that is full: one sentence that names the file and the reason, status 1; when there is room again, the same command gives the
+// same bytes. 4 blocks hold a part of sweep.json, 16 of each log of 200 trials, 8 all but a part of the larger models' policy.json.
 TEST(Sweep, full_disk_is_one_sentence_and_the_sweep_goes_on)
 {
-    const ScratchFolder folder;
-    const fs::path manifest = folder.write("mine.toml", manifest_text(200));
-    const auto files = expected_files(folder, manifest);
-    for (const int blocks : {4, 16, 24}) {
-        const fs::path out = folder.path() / std::to_string(blocks);
+    struct Case {
+        int trials, blocks;
+        std::string file; // the first that has no room
+    };
+    const std::string run = folders[0] + "/";
+    for (const Case &full : {Case{20, 4, "sweep.json."}, Case{200, 16, run + "trials.csv.part': File too large"},
+                             Case{20, 8, run + "policy.json.part': File too large"}}) {
+        const ScratchFolder folder;
+        const fs::path manifest = folder.write("mine.toml", manifest_text(full.trials));
+        const auto files = expected_files(folder, manifest);
+        const fs::path out = folder.path() / "out";
         const std::string arguments = "sweep " + manifest.string() + " --out " + out.string() + " --jobs 1";
-        const Outcome full = run_twiddle_on_full_disk(arguments, blocks);
-        EXPECT_EQ(full.status, 1) << blocks;
-        EXPECT_TRUE(is_one_complaint(full.error)) << full.error;
-        EXPECT_NE(full.error.find("cannot write '" + out.string()), std::string::npos) << full.error;
-        EXPECT_NE(full.error.find("File too large"), std::string::npos) << full.error;
+        const Outcome outcome = run_twiddle_on_full_disk(arguments, full.blocks);
+        EXPECT_EQ(outcome.status, 1) << full.file;
+        EXPECT_TRUE(is_one_complaint(outcome.error)) << outcome.error;
+        EXPECT_NE(outcome.error.find("cannot write '" + (out / full.file).string()), std::string::npos)
+            << outcome.error;
+        EXPECT_NE(outcome.error.find("File too large"), std::string::npos) << outcome.error;
         const Outcome again = sweep(manifest, out, "--jobs 2");
         EXPECT_EQ(again.status, 0) << again.error;
-        for (const auto &entry : fs::directory_iterator(out)) { // what could not be written of sweep.json
+        for (const auto &entry : fs::directory_iterator(out)) { // what could be written of sweep.json
             if (entry.path().extension() == ".part") fs::remove(entry.path());
         }
-        EXPECT_EQ(files_below(out), files) << blocks;
+        EXPECT_EQ(files_below(out), files) << full.file;
     }
 }
 
