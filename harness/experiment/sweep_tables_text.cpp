@@ -1,6 +1,7 @@
 #include "sweep_tables_text.hpp"
 
 #include "mann_whitney.hpp"
+#include "record/versions.hpp"
 #include "table_text.hpp"
 
 #include <algorithm>
@@ -26,6 +27,20 @@ Texts joined(Texts first, const Texts &second)
     return first;
 }
 
+// Which trials count.
+std::string last_trials_text(const Sweep &sweep)
+{
+    const std::string trials = std::to_string(sweep.trials);
+    if (sweep.trials < most_last_trials)
+        return "over all " + trials + " trials, since the runs have fewer than " + std::to_string(most_last_trials);
+    return "over the last " + std::to_string(last_trials(sweep)) + " of " + trials + " trials";
+}
+
+std::string truth(bool value)
+{
+    return value ? "true" : "false";
+}
+
 Texts csv_cells(const CellSummary &cell)
 {
     const std::optional<Interval> &interval = cell.interval_rad;
@@ -44,6 +59,12 @@ Texts csv_cells(const CellSummary &cell)
 std::string p_text(double p)
 {
     return p < 0.0001 ? "< 0.0001" : fixed(p, 4);
+}
+
+// A table, or a sentence where the sweep has nothing for it.
+std::string table_or_sentence(const Texts &columns, const std::vector<Texts> &rows)
+{
+    return rows.empty() ? "The sweep has no runs of this table.\n" : markdown_table(columns, rows);
 }
 
 const Texts markdown_cell_columns = {"variant",       "object", "model", "rotation (rad): mean ± sd (best)",
@@ -79,7 +100,7 @@ std::string table1_markdown(const SweepTables &tables)
         rows.push_back(joined(markdown_cells(row.cell),
                               {row.p ? p_text(*row.p) : "-", row.paper_reward.empty() ? "-" : row.paper_reward}));
     }
-    return markdown_table(joined(markdown_cell_columns, {"p, with against without", "paper's reward"}), rows);
+    return table_or_sentence(joined(markdown_cell_columns, {"p, with against without", "paper's reward"}), rows);
 }
 
 std::string table2_markdown(const SweepTables &tables)
@@ -88,8 +109,8 @@ std::string table2_markdown(const SweepTables &tables)
     for (const ModelRow &row : tables.models) {
         rows.push_back(joined(markdown_cells(row.cell), {comparison_text(row), paper_text(row.paper)}));
     }
-    return markdown_table(joined(markdown_cell_columns, {"p against the winner (uncorrected)", "paper's reward"}),
-                          rows);
+    return table_or_sentence(joined(markdown_cell_columns, {"p against the winner (uncorrected)", "paper's reward"}),
+                             rows);
 }
 
 // How small a corrected p can be: with few runs, no difference however large is significant.
@@ -127,6 +148,25 @@ std::string definitions(const Sweep &sweep, const SweepTables &tables)
 }
 
 } // namespace
+
+std::string rotation_text(const Sweep &sweep)
+{
+    return "a run counts with its mean rotation in rad " + last_trials_text(sweep);
+}
+
+std::string origin_text(const Sweep &sweep)
+{
+    return "sweep " + sweep.name + " of " + sweep.version + ", summarized by " + record::version_line();
+}
+
+std::string model_text(const std::string &model, bool centre)
+{
+    std::string name = model;
+    std::transform(name.begin(), name.end(), name.begin(), [](char letter) {
+        return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 32) : letter;
+    });
+    return name + (centre ? "" : " without centre");
+}
 
 std::string table1_csv(const Sweep &sweep, const SweepTables &tables)
 {

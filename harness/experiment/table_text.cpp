@@ -1,9 +1,7 @@
 #include "table_text.hpp"
 
 #include "record/number_text.hpp"
-#include "record/versions.hpp"
 
-#include <algorithm>
 #include <iomanip>
 #include <locale>
 #include <sstream>
@@ -32,26 +30,7 @@ std::string markdown_row(const Texts &cells)
     return row + "\n";
 }
 
-// Which trials count.
-std::string last_trials_text(const Sweep &sweep)
-{
-    const std::string trials = std::to_string(sweep.trials);
-    if (sweep.trials < most_last_trials)
-        return "over all " + trials + " trials, since the runs have fewer than " + std::to_string(most_last_trials);
-    return "over the last " + std::to_string(last_trials(sweep)) + " of " + trials + " trials";
-}
-
 } // namespace
-
-std::string rotation_text(const Sweep &sweep)
-{
-    return "a run counts with its mean rotation in rad " + last_trials_text(sweep);
-}
-
-std::string origin_text(const Sweep &sweep)
-{
-    return "sweep " + sweep.name + " of " + sweep.version + ", summarized by " + record::version_line();
-}
 
 std::string csv_text(const Texts &comments, const Texts &columns, const std::vector<Texts> &rows)
 {
@@ -66,14 +45,18 @@ std::string csv_text(const Texts &comments, const Texts &columns, const std::vec
     return text;
 }
 
+std::string markdown_table(const Texts &columns, const std::vector<Texts> &rows)
+{
+    std::string text = markdown_row(columns) + markdown_row(Texts(columns.size(), "---"));
+    for (const Texts &row : rows) {
+        text += markdown_row(row);
+    }
+    return text;
+}
+
 std::string full(const std::optional<double> &value)
 {
     return value ? record::number_text(*value) : "";
-}
-
-std::string truth(bool value)
-{
-    return value ? "true" : "false";
 }
 
 std::string fixed(double value, int digits)
@@ -82,25 +65,6 @@ std::string fixed(double value, int digits)
     text.imbue(std::locale::classic());
     text << std::fixed << std::setprecision(digits) << value;
     return text.str();
-}
-
-std::string markdown_table(const Texts &columns, const std::vector<Texts> &rows)
-{
-    if (rows.empty()) return "The sweep has no runs of this table.\n";
-    std::string text = markdown_row(columns) + markdown_row(Texts(columns.size(), "---"));
-    for (const Texts &row : rows) {
-        text += markdown_row(row);
-    }
-    return text;
-}
-
-std::string model_text(const std::string &model, bool centre)
-{
-    std::string name = model;
-    std::transform(name.begin(), name.end(), name.begin(), [](char letter) {
-        return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 32) : letter;
-    });
-    return name + (centre ? "" : " without centre");
 }
 
 } // namespace twiddle::experiment

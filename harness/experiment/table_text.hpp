@@ -1,7 +1,5 @@
-// table_text.hpp: what the tables of a sweep share: their cells as text, in CSV and Markdown.
+// table_text.hpp: tables of texts as CSV and as Markdown.
 #pragma once
-
-#include "sweep_results.hpp"
 
 #include <optional>
 #include <string>
@@ -12,28 +10,16 @@ namespace twiddle::experiment
 
 using Texts = std::vector<std::string>;
 
-// A number in full precision for CSV; empty for none.
-std::string full(const std::optional<double> &value);
-
-// "true" or "false".
-std::string truth(bool value);
-
-// A number with `digits` digits after the point.
-std::string fixed(double value, int digits);
-
-// "CPG-H", "CPG-H without centre".
-std::string model_text(const std::string &model, bool centre);
-
-// What a run of `sweep` counts with.
-std::string rotation_text(const Sweep &sweep);
-
-// Where the numbers come from: the sweep, and the program that made the runs and the one that summarizes them.
-std::string origin_text(const Sweep &sweep);
-
-// A CSV file: each of `comments` as a line "# ...", the columns' names, the rows.
+// `comments` under `#`, a header row, one line a row. No cell may hold a comma or a line end.
 std::string csv_text(const Texts &comments, const Texts &columns, const std::vector<Texts> &rows);
 
-// A Markdown table; a sentence where it has no rows.
+// Header, rule and rows. No cell may hold a bar.
 std::string markdown_table(const Texts &columns, const std::vector<Texts> &rows);
+
+// In full precision; empty if there is none.
+std::string full(const std::optional<double> &value);
+
+// With `digits` after the point.
+std::string fixed(double value, int digits);
 
 } // namespace twiddle::experiment

@@ -32,11 +32,11 @@ std::vector<ModelCondition> conditions_of_base(const std::vector<Cell> &cells)
     return conditions;
 }
 
-// One contrast for every object that both the variant and the base have.
-std::vector<Contrast> contrasts(const std::vector<Cell> &cells, const std::string &variant,
-                                const ModelCondition &condition)
+// One change for every object that both the variant and the base have.
+std::vector<CellChange> changes_of(const std::vector<Cell> &cells, const std::string &variant,
+                                   const ModelCondition &condition)
 {
-    std::vector<Contrast> found;
+    std::vector<CellChange> found;
     for (const Cell &changed : cells) {
         if (!is_of(changed, variant, condition)) continue;
         for (const Cell &unchanged : cells) {
@@ -47,14 +47,14 @@ std::vector<Contrast> contrasts(const std::vector<Cell> &cells, const std::strin
     return found;
 }
 
-VariantEffect effect_of(const std::vector<Contrast> &objects, const ModelCondition &condition)
+VariantEffect effect_of(const std::vector<CellChange> &objects, const ModelCondition &condition)
 {
     VariantEffect effect;
     effect.condition = condition;
     effect.objects = objects.size();
     bool has_spread = true;
     effect.same_runs = true;
-    for (const Contrast &object : objects) {
+    for (const CellChange &object : objects) {
         effect.runs += object.changed.size();
         effect.base_runs += object.base.size();
         effect.mean_rad += mean(object.changed) / static_cast<double>(objects.size());
@@ -89,7 +89,7 @@ VariantTable variant_table(const Sweep &sweep, const std::vector<Cell> &cells)
         const auto changes = sweep.changes.find(cell.variant);
         VariantRow row{cell.variant, changes == sweep.changes.end() ? "" : changes->second, {}};
         for (const ModelCondition &condition : table.conditions) {
-            const std::vector<Contrast> objects = contrasts(cells, row.variant, condition);
+            const std::vector<CellChange> objects = changes_of(cells, row.variant, condition);
             if (!objects.empty()) row.effects.push_back(effect_of(objects, condition));
         }
         table.rows.push_back(row);

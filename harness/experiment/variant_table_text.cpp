@@ -1,5 +1,6 @@
 #include "variant_table_text.hpp"
 
+#include "sweep_tables_text.hpp"
 #include "table_text.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ Texts csv_cells(const std::string &variant, const VariantEffect &effect)
     const std::optional<Interval> &interval = effect.interval_rad;
     return {variant,
             effect.condition.model,
-            truth(effect.condition.centre),
+            effect.condition.centre ? "true" : "false",
             std::to_string(effect.objects),
             std::to_string(effect.runs),
             std::to_string(effect.base_runs),
@@ -34,7 +35,7 @@ Texts csv_cells(const std::string &variant, const VariantEffect &effect)
             full(effect.difference_rad),
             interval ? full(interval->lower) : "",
             interval ? full(interval->upper) : "",
-            truth(effect.same_runs)};
+            effect.same_runs ? "true" : "false"};
 }
 
 // "5.12 (+0.46, 0.12 to 0.79)", "5.12 (the same runs)".

@@ -99,8 +99,8 @@ TEST(Statistics, bootstrap_of_differences_is_that_of_all_resamples)
 {
     const std::vector<Values> expected = {{0, 4}, {0, 4}, {2.0 / 3, 10.0 / 3}};
     for (std::size_t cells = 1; cells <= expected.size(); ++cells) {
-        const std::vector<Contrast> risen(cells, {{0, 4}, {0, 0}});
-        const std::vector<Contrast> fallen(cells, {{0, 0}, {0, 4}});
+        const std::vector<CellChange> risen(cells, {{0, 4}, {0, 0}});
+        const std::vector<CellChange> fallen(cells, {{0, 0}, {0, 4}});
         EXPECT_EQ(mean_difference(risen), 2);
         EXPECT_EQ(mean_difference(fallen), -2);
         const Interval up = bootstrap_interval_of_mean_difference(risen);
@@ -117,10 +117,10 @@ TEST(Statistics, bootstrap_of_differences_is_that_of_all_resamples)
 // known to 0.027 and 0.11 is allowed, as above; the cells' errors add in squares.
 TEST(Statistics, bootstrap_of_large_differences_is_the_normal_theorys)
 {
-    const std::vector<Contrast> cells = {{normal_values(500, 3, 1.5, 7), normal_values(700, 2, 1, 8)},
-                                         {normal_values(600, 9, 2.5, 9), normal_values(400, 9, 3, 10)}};
+    const std::vector<CellChange> cells = {{normal_values(500, 3, 1.5, 7), normal_values(700, 2, 1, 8)},
+                                           {normal_values(600, 9, 2.5, 9), normal_values(400, 9, 3, 10)}};
     double variance = 0;
-    for (const Contrast &cell : cells) {
+    for (const CellChange &cell : cells) {
         for (const Values &values : {cell.changed, cell.base}) {
             variance += gsl_stats_variance(values.data(), 1, values.size()) / static_cast<double>(values.size()) / 4;
         }
