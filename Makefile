@@ -48,7 +48,7 @@ performance: build gnuplot ## measure how the cost of a control step grows with 
 	scripts/performance-table build/bench/growth.csv
 
 plots: ## draw the figures of one run again, or of a sweep: make plots RUN=results/demo, or SWEEP=paper
-	$(if $(filter file,$(origin SWEEP)),plots/draw-run $(RUN),plots/draw-sweep results/$(SWEEP))
+	$(if $(filter file,$(origin SWEEP)),plots/draw-run $(RUN),plots/draw-sweep $(RESULTS))
 
 # Said before the training, not after it.
 gnuplot:
@@ -58,7 +58,10 @@ gnuplot:
 # --- the paper's experiments: a sweep of models/sweeps ---
 
 SWEEP ?= paper
-RESULTS ?= results/$(SWEEP)
+# A set-up for all of its runs, instead of the manifest's.
+SETUP ?=
+RESULTS ?= results/$(SWEEP)$(if $(SETUP),-$(basename $(notdir $(SETUP))))
+setup_option = $(if $(SETUP),--setup $(SETUP))
 
 # Who does the runs: this machine, or a Slurm cluster (docs/CLUSTER.md).
 ENGINE ?= local
@@ -73,16 +76,16 @@ SBATCH_ARGS ?=
 WAIT ?= 1
 
 .PHONY: paper paper-local paper-slurm paper-results
-paper: paper-$(ENGINE) ## train all runs of a sweep into results/SWEEP and make its results; goes on where it was stopped: make paper SWEEP=smoke JOBS=2, or ENGINE=slurm
+paper: paper-$(ENGINE) ## train all runs of a sweep into results/SWEEP[-SETUP], make its tables and draw it; goes on where it was stopped: make paper SWEEP=smoke JOBS=2, SETUP=near or ENGINE=slurm
 
 paper-local: build gnuplot
-	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out $(RESULTS) --jobs $(JOBS)
+	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out $(RESULTS) --jobs $(JOBS) $(setup_option)
 	+@$(MAKE) --no-print-directory paper-results
 
 # The results are made by a job on a machine that builds nothing, by a make of its own.
 paper-slurm: build
 	@scripts/submit-sweep --program $(TWIDDLE) $(if $(THROTTLE),--throttle '$(THROTTLE)') --sbatch '$(SBATCH_ARGS)' \
-	    $(if $(filter 0,$(WAIT)),--no-wait) models/sweeps/$(SWEEP).toml $(RESULTS) \
+	    $(if $(filter 0,$(WAIT)),--no-wait) $(setup_option) models/sweeps/$(SWEEP).toml $(RESULTS) \
 	    make --no-print-directory paper-results SWEEP=$(SWEEP) RESULTS=$(RESULTS) BUILD=$(BUILD)
 
 paper-results: gnuplot ## make tables and figures from the complete runs of a sweep, with the program as it is built: make paper-results SWEEP=smoke
@@ -97,7 +100,7 @@ calibrate: build ## search a set-up that comes near the paper's tables (up to tw
 
 .PHONY: confirm
 confirm: build ## replay CPG-H's policies of a sweep in both steppers, and print the rotations side by side: make confirm SWEEP=paper
-	scripts/confirm-steppers results/$(SWEEP)
+	scripts/confirm-steppers $(RESULTS)
 
 # --- building ---
 

@@ -1,8 +1,8 @@
 #include "checks.h"
 
-enum twd_error twd_check_cpg(const struct twd_topology *topology, twd_num tick_s, twd_num amplitude_rate_per_s,
-                             twd_num centre_rate_per_s)
+enum twd_error twd_check_cpg(const struct twd_topology *topology, const struct twd_cpg_config *config)
 {
+    const twd_num tick_s = config->tick_s;
     if (topology->oscillators < 1 || topology->oscillators > TWD_MAX_OSCILLATORS) return TWD_ERROR_TOO_MANY_OSCILLATORS;
     if (topology->couplings > TWD_MAX_COUPLINGS) return TWD_ERROR_TOO_MANY_COUPLINGS;
     if (topology->joints < 1 || topology->joints > TWD_MAX_JOINTS) return TWD_ERROR_TOO_MANY_JOINTS;
@@ -21,8 +21,15 @@ enum twd_error twd_check_cpg(const struct twd_topology *topology, twd_num tick_s
     if (!(tick_s > TWD_NUM(0)) || tick_s > TWD_NUM(0.1)) return TWD_ERROR_TICK;
     /* Products of rate and tick are at most 32 (filter.h). */
     const twd_num fastest_per_s = twd_div(TWD_NUM(32), tick_s);
+    const twd_num amplitude_rate_per_s = config->amplitude_rate_per_s;
+    const twd_num centre_rate_per_s = config->centre_rate_per_s;
     if (!(amplitude_rate_per_s > TWD_NUM(0)) || amplitude_rate_per_s > fastest_per_s) return TWD_ERROR_RANGE;
     if (!(centre_rate_per_s > TWD_NUM(0)) || centre_rate_per_s > fastest_per_s) return TWD_ERROR_RANGE;
+    if (config->return_lag != TWD_RETURN_LAG_NEGATED && config->return_lag != TWD_RETURN_LAG_EQUAL)
+        return TWD_ERROR_RANGE;
+    if (config->centre_start != TWD_CENTRE_START_AT_TOPOLOGY && config->centre_start != TWD_CENTRE_START_AT_ZERO &&
+        config->centre_start != TWD_CENTRE_START_AT_TARGET)
+        return TWD_ERROR_RANGE;
     return TWD_OK;
 }
 
@@ -32,8 +39,7 @@ static enum twd_error check_model(const struct twd_controller_config *config)
     if (model->cpgs < 1 || model->cpgs > TWD_MAX_CPGS) return TWD_ERROR_TOO_MANY_CPGS;
 
     for (uint8_t k = 0; k < model->cpgs; k++) {
-        const enum twd_error error =
-            twd_check_cpg(model->topology[k], config->tick_s, config->amplitude_rate_per_s, config->centre_rate_per_s);
+        const enum twd_error error = twd_check_cpg(model->topology[k], &config->oscillators);
         if (error != TWD_OK) return error;
         if (model->topology[k]->joints != config->joints) return TWD_ERROR_TOO_MANY_JOINTS;
     }
@@ -84,6 +90,7 @@ enum twd_error twd_check_config(const struct twd_controller_config *config)
     if (error != TWD_OK) return error;
     if (config->phase_start != TWD_PHASE_START_AT_LAG && config->phase_start != TWD_PHASE_START_AT_ZERO)
         return TWD_ERROR_RANGE;
+    if (config->saturation != TWD_SATURATE_SUM && config->saturation != TWD_SATURATE_EACH) return TWD_ERROR_RANGE;
 
     for (uint8_t j = 0; j < config->joints; j++) {
         error = check_joint(&config->joint[j]);

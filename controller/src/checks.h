@@ -16,9 +16,8 @@ static inline bool twd_is_usable(twd_num value)
     return twd_within(value, -TWD_LARGEST_SIZE, TWD_LARGEST_SIZE);
 }
 
-/* Whether a CPG can be made of `topology`, with this tick and these filter rates. */
-enum twd_error twd_check_cpg(const struct twd_topology *topology, twd_num tick_s, twd_num amplitude_rate_per_s,
-                             twd_num centre_rate_per_s);
+/* Whether a CPG can be made of `topology` and `config`. */
+enum twd_error twd_check_cpg(const struct twd_topology *topology, const struct twd_cpg_config *config);
 
 /* Whether `pd` is in range. */
 enum twd_error twd_check_pd(const struct twd_pd *pd);

@@ -19,8 +19,7 @@ enum twd_error twd_controller_init(struct twd_controller *controller, const stru
     config = &controller->config;
     for (uint8_t k = 0; k < config->model->cpgs; k++) {
         /* The check above included this one's. */
-        (void)twd_cpg_init(&controller->cpg[k], config->model->topology[k], config->with_centre, config->tick_s,
-                           config->amplitude_rate_per_s, config->centre_rate_per_s);
+        (void)twd_cpg_init(&controller->cpg[k], config->model->topology[k], &config->oscillators);
     }
     twd_gate_normalise(no_preference, config->model->cpgs, controller->weight);
     controller->saturations = none;
@@ -32,7 +31,7 @@ enum twd_error twd_controller_start(struct twd_controller *controller, const twd
     const struct twd_controller_config *const config = &controller->config;
     struct twd_model_drive drive;
     const enum twd_error error =
-        twd_model_decode(config->model, config->with_centre, &config->ranges, parameter, count, &drive);
+        twd_model_decode(config->model, config->oscillators.with_centre, &config->ranges, parameter, count, &drive);
     if (error != TWD_OK) return error;
 
     for (uint8_t k = 0; k < config->model->cpgs; k++) {
@@ -45,13 +44,24 @@ enum twd_error twd_controller_start(struct twd_controller *controller, const twd
     return TWD_OK;
 }
 
-/* Add one CPG's weighted outputs to the joints' sums. */
-static void mix(const struct twd_cpg *cpg, twd_num weight, twd_num *sum)
+/* `fraction` in [0, 1], and counted if it was not. */
+static twd_num saturate(struct twd_controller *controller, twd_num fraction)
 {
+    if (!twd_within(fraction, TWD_NUM(0), TWD_NUM(1))) count_one(&controller->saturations.output);
+    return twd_clamp(fraction, TWD_NUM(0), TWD_NUM(1));
+}
+
+/* Add the weighted outputs of CPG `index` to the joints' sums. */
+static void mix(struct twd_controller *controller, uint8_t index, twd_num *sum)
+{
+    const struct twd_cpg *const cpg = &controller->cpg[index];
     const struct twd_topology *const topology = cpg->topology;
     twd_num weighted[TWD_MAX_OSCILLATORS];
-    for (uint8_t i = 0; i < topology->oscillators; i++)
-        weighted[i] = twd_mul(weight, twd_cpg_output(cpg, i));
+    for (uint8_t i = 0; i < topology->oscillators; i++) {
+        twd_num output = twd_cpg_output(cpg, i);
+        if (controller->config.saturation == TWD_SATURATE_EACH) output = saturate(controller, output);
+        weighted[i] = twd_mul(controller->weight[index], output);
+    }
     for (uint8_t j = 0; j < topology->joints; j++)
         sum[j] += weighted[topology->joint_oscillator[j]];
 }
@@ -63,11 +73,11 @@ void twd_controller_tick(struct twd_controller *controller, twd_num *desired_ang
 
     for (uint8_t k = 0; k < config->model->cpgs; k++) {
         twd_cpg_tick(&controller->cpg[k]);
-        mix(&controller->cpg[k], controller->weight[k], sum);
+        mix(controller, k, sum);
     }
     for (uint8_t j = 0; j < config->joints; j++) {
-        if (!twd_within(sum[j], TWD_NUM(0), TWD_NUM(1))) count_one(&controller->saturations.output);
-        desired_angle_rad[j] = twd_gate_remap(sum[j], config->joint[j].lower_rad, config->joint[j].upper_rad);
+        const twd_num fraction = config->saturation == TWD_SATURATE_SUM ? saturate(controller, sum[j]) : sum[j];
+        desired_angle_rad[j] = twd_gate_remap(fraction, config->joint[j].lower_rad, config->joint[j].upper_rad);
     }
 }
 

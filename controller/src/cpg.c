@@ -6,22 +6,29 @@
 
 #define TURNS_PER_RADIAN TWD_NUM(0.15915494309189535)
 
-enum twd_error twd_cpg_init(struct twd_cpg *cpg, const struct twd_topology *topology, bool with_centre, twd_num tick_s,
-                            twd_num amplitude_rate_per_s, twd_num centre_rate_per_s)
+enum twd_error twd_cpg_init(struct twd_cpg *cpg, const struct twd_topology *topology,
+                            const struct twd_cpg_config *config)
 {
     static const struct twd_cpg_drive at_rest = {TWD_NUM(0), {TWD_NUM(0)}, {TWD_NUM(0)}, {0}};
     static const twd_phase zero_phase[TWD_MAX_OSCILLATORS] = {0};
 
-    const enum twd_error error = twd_check_cpg(topology, tick_s, amplitude_rate_per_s, centre_rate_per_s);
+    const enum twd_error error = twd_check_cpg(topology, config);
     if (error != TWD_OK) return error;
 
     cpg->topology = topology;
-    cpg->with_centre = with_centre;
-    cpg->tick_s = tick_s;
-    cpg->amplitude_step = twd_filter_step_make(amplitude_rate_per_s, tick_s);
-    cpg->centre_step = twd_filter_step_make(centre_rate_per_s, tick_s);
+    cpg->config = *config;
+    cpg->amplitude_step = twd_filter_step_make(cpg->config.amplitude_rate_per_s, cpg->config.tick_s);
+    cpg->centre_step = twd_filter_step_make(cpg->config.centre_rate_per_s, cpg->config.tick_s);
     twd_cpg_start(cpg, &at_rest, zero_phase);
     return TWD_OK;
+}
+
+/* c of oscillator `index` at t = 0. */
+static twd_num initial_centre(const struct twd_cpg *cpg, uint8_t index)
+{
+    if (cpg->config.centre_start == TWD_CENTRE_START_AT_ZERO) return TWD_NUM(0);
+    if (cpg->config.centre_start == TWD_CENTRE_START_AT_TARGET) return cpg->drive.centre[index];
+    return cpg->topology->initial_centre[index];
 }
 
 void twd_cpg_start(struct twd_cpg *cpg, const struct twd_cpg_drive *drive, const twd_phase *initial_phase)
@@ -29,7 +36,7 @@ void twd_cpg_start(struct twd_cpg *cpg, const struct twd_cpg_drive *drive, const
     static const struct twd_oscillator unused = {0, {TWD_NUM(0), TWD_NUM(0)}, {TWD_NUM(0), TWD_NUM(0)}};
 
     cpg->drive = *drive;
-    cpg->intrinsic_advance = twd_phase_from_turns(twd_mul(drive->frequency_hz, cpg->tick_s));
+    cpg->intrinsic_advance = twd_phase_from_turns(twd_mul(drive->frequency_hz, cpg->config.tick_s));
     for (uint8_t i = 0; i < TWD_MAX_OSCILLATORS; i++) {
         cpg->oscillator[i] = unused;
         /* All amplitudes are 0 at the start, and so is every pull: the extrapolation starts from its true value. */
@@ -37,7 +44,7 @@ void twd_cpg_start(struct twd_cpg *cpg, const struct twd_cpg_drive *drive, const
     }
     for (uint8_t i = 0; i < cpg->topology->oscillators; i++) {
         cpg->oscillator[i].phase = initial_phase[i];
-        cpg->oscillator[i].centre.value = cpg->topology->initial_centre[i];
+        cpg->oscillator[i].centre.value = initial_centre(cpg, i);
     }
 }
 
@@ -85,10 +92,13 @@ static void pulls(const struct twd_cpg *cpg, twd_num *pull)
         const struct twd_coupling coupling = topology->coupling[k];
         const struct twd_oscillator *const first = &cpg->oscillator[coupling.first];
         const struct twd_oscillator *const second = &cpg->oscillator[coupling.second];
-        /* Since phi_ji = -phi_ij, the sine of the other direction is the negative of this one. */
-        const twd_num sine = twd_sin(second->phase - first->phase - cpg->drive.phase_lag[k]);
+        const twd_phase lag = cpg->drive.phase_lag[k];
+        const twd_num sine = twd_sin(second->phase - first->phase - lag);
+        /* With phi_ji = -phi_ij, the sine of the other direction is the negative of this one. */
+        const twd_num return_sine =
+            cpg->config.return_lag == TWD_RETURN_LAG_EQUAL ? twd_sin(first->phase - second->phase - lag) : -sine;
         pull[coupling.first] += twd_mul(second->amplitude.value, sine);
-        pull[coupling.second] -= twd_mul(first->amplitude.value, sine);
+        pull[coupling.second] += twd_mul(first->amplitude.value, return_sine);
     }
 }
 
@@ -101,18 +111,18 @@ void twd_cpg_tick(struct twd_cpg *cpg)
         struct twd_oscillator *const oscillator = &cpg->oscillator[i];
         /* Adams-Bashforth: (3/2) of this tick's rate less (1/2) of the last one's. */
         const twd_num rate_rad_s = pull[i] + twd_mul(pull[i] - cpg->last_pull[i], TWD_NUM(0.5));
-        const twd_num pulled_turns = twd_mul(twd_mul(rate_rad_s, TURNS_PER_RADIAN), cpg->tick_s);
+        const twd_num pulled_turns = twd_mul(twd_mul(rate_rad_s, TURNS_PER_RADIAN), cpg->config.tick_s);
         cpg->last_pull[i] = pull[i];
 
         oscillator->phase += cpg->intrinsic_advance + twd_phase_from_turns(pulled_turns);
         twd_filter_advance(&oscillator->amplitude, &cpg->amplitude_step, cpg->drive.amplitude[i]);
-        if (cpg->with_centre) twd_filter_advance(&oscillator->centre, &cpg->centre_step, cpg->drive.centre[i]);
+        if (cpg->config.with_centre) twd_filter_advance(&oscillator->centre, &cpg->centre_step, cpg->drive.centre[i]);
     }
 }
 
 twd_num twd_cpg_output(const struct twd_cpg *cpg, uint8_t index)
 {
     const struct twd_oscillator *const oscillator = &cpg->oscillator[index];
-    if (cpg->with_centre) return twd_oscillator_output_with_centre(oscillator);
+    if (cpg->config.with_centre) return twd_oscillator_output_with_centre(oscillator);
     return twd_oscillator_output_without_centre(oscillator);
 }

@@ -28,10 +28,14 @@ static const struct twd_topology legs = {
 
 int main(void)
 {
-    const twd_num tick_s = TWD_NUM(0.01);
-    const twd_num rate_per_s = TWD_NUM(20);
+    const struct twd_cpg_config config = {
+        .with_centre = true,
+        .tick_s = TWD_NUM(0.01),
+        .amplitude_rate_per_s = TWD_NUM(20),
+        .centre_rate_per_s = TWD_NUM(20),
+    };
     struct twd_cpg cpg;
-    const enum twd_error error = twd_cpg_init(&cpg, &legs, true, tick_s, rate_per_s, rate_per_s);
+    const enum twd_error error = twd_cpg_init(&cpg, &legs, &config);
     if (error != TWD_OK) {
         fprintf(stderr, "ring: %s\n", twd_error_text(error));
         return 1;

@@ -54,14 +54,6 @@ bool is_toml_path(const std::string &setup)
     return std::filesystem::path(setup).extension() == ".toml";
 }
 
-void require_setup(const std::filesystem::path &models, const std::string &setup)
-{
-    const std::vector<std::string> names = sim::setup_names(models);
-    if (setup == "paper" && !contains(names, setup))
-        throw UsageError("--setup paper is not in this version; use --setup with one of " + comma_list(names));
-    if (!is_toml_path(setup)) require_name("set-up", names, setup);
-}
-
 sim::Override parse_override(const std::string &text)
 {
     const std::size_t equals = text.find('=');
@@ -129,6 +121,14 @@ std::filesystem::path models_dir(const std::string &option)
         throw UsageError("'" + path.string() +
                          "' is no models folder (with objects/ and setups/); name one by --models");
     return path;
+}
+
+void require_setup(const std::filesystem::path &models, const std::string &setup)
+{
+    const std::vector<std::string> names = sim::setup_names(models);
+    if (setup == "paper" && !contains(names, setup))
+        throw UsageError("--setup paper is not in this version; use --setup with one of " + comma_list(names));
+    if (!is_toml_path(setup)) require_name("set-up", names, setup);
 }
 
 void require_supported(const RunOptions &options)

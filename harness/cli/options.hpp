@@ -37,6 +37,9 @@ void add_run_options(CLI::App &command, RunOptions &options);
 // if there is none.
 std::filesystem::path models_dir(const std::string &option);
 
+// Refuse a name that is no set-up's; the path of a .toml file is taken as it is. Throws UsageError.
+void require_setup(const std::filesystem::path &models, const std::string &setup);
+
 // Refuse what this version does not do. Throws UsageError.
 void require_supported(const RunOptions &options);
 void require_supported(const record::RunSpecification &specification);

@@ -2,6 +2,7 @@
 #include "errors.hpp"
 #include "experiment/figure_data.hpp"
 #include "experiment/sweep_tables_text.hpp"
+#include "experiment/variant_table_text.hpp"
 #include "record/part_file.hpp"
 #include "sweep_folder.hpp"
 
@@ -49,6 +50,11 @@ int summarize(const SummarizeOptions &options)
     make_folder(figure_data);
     write_text(figure_data / "learning_curves.csv", experiment::learning_curves_csv(sweep, cells));
     write_text(figure_data / "best_runs.csv", experiment::best_runs_csv(sweep, cells));
+    const experiment::VariantTable variants = experiment::variant_table(sweep, cells);
+    if (!variants.rows.empty()) {
+        write_text(folder / "choices.csv", experiment::variants_csv(sweep, variants));
+        write_text(folder / "choices.md", experiment::variants_markdown(sweep, variants));
+    }
     return 0;
 }
 
@@ -59,7 +65,7 @@ void add_summarize(CLI::App &app, Session &session)
     CLI::App *command = app.add_subcommand(
         "summarize",
         "Make the paper's tables of a complete sweep, and the data of its figures; writes table1.csv, table2.csv, "
-        "tables.md, figures/data");
+        "tables.md, figures/data; of a sweep with variants also choices.csv, choices.md");
     const auto options = std::make_shared<SummarizeOptions>();
     command->add_option("DIR", options->sweep_dir, "Folder of the sweep, with sweep.json")->required()->type_name("");
     command->add_option("--paper", options->paper_dir, "Folder of the paper's tables as CSV")->type_name("DIR");

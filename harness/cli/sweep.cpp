@@ -27,20 +27,22 @@ struct SweepOptions {
     std::string out;
     std::string jobs;
     std::string only;
+    std::string setup; // instead of the manifest's; empty: the manifest's
     std::string models_dir;
     bool list_missing = false;
 };
 
-experiment::SweepPlan read_plan(const std::string &manifest, const std::filesystem::path &models)
+experiment::SweepPlan read_plan(const SweepOptions &options, const std::filesystem::path &models)
 {
-    const RunOptions options;
+    if (!options.setup.empty()) require_setup(models, options.setup);
+    const RunOptions silent;
     record::RunSpecification defaults;
-    defaults.setup = options.setup;
-    defaults.stepper = options.stepper;
-    defaults.hand = options.hand;
+    defaults.setup = silent.setup;
+    defaults.stepper = silent.stepper;
+    defaults.hand = silent.hand;
     defaults.number = own_number();
     try {
-        return experiment::read_sweep_manifest(manifest, models, defaults);
+        return experiment::read_sweep_manifest(options.manifest, models, defaults, options.setup);
     } catch (const std::runtime_error &error) {
         throw UsageError(error.what()); // the manifest is the user's choice
     }
@@ -51,6 +53,7 @@ std::string command_of(const std::string &program, const SweepOptions &options, 
 {
     std::vector<std::string> arguments = {program,     "sweep",  options.manifest,     "--out",
                                           options.out, "--only", std::to_string(index)};
+    if (!options.setup.empty()) arguments.insert(arguments.end(), {"--setup", options.setup});
     if (!options.models_dir.empty()) arguments.insert(arguments.end(), {"--models", options.models_dir});
     return shell_line(arguments);
 }
@@ -102,7 +105,7 @@ int sweep(const SweepOptions &options, const std::vector<std::string> &arguments
     const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
     const std::uint64_t jobs = options.jobs.empty() ? processors : whole_number("--jobs", options.jobs, 1, most_jobs);
     const std::filesystem::path models = models_dir(options.models_dir);
-    const experiment::SweepPlan plan = read_plan(options.manifest, models);
+    const experiment::SweepPlan plan = read_plan(options, models);
     const std::vector<std::size_t> chosen = chosen_runs(options, plan.runs.size());
     claim_sweep(options.out, experiment::sweep_json(plan));
     SweepSession session(plan, options.out, models,
@@ -124,6 +127,10 @@ void add_sweep(CLI::App &app, Session &session)
     command->add_option("--only", options->only, "Do one run alone, by its index in sweep.json")->type_name("INDEX");
     command->add_flag("--list-missing", options->list_missing,
                       "Make the folder, print the index of each run that is not complete, and train none");
+    command
+        ->add_option("--setup", options->setup,
+                     "Physical and learning set-up, or a .toml file, whatever the manifest says")
+        ->type_name("NAME");
     add_models_option(*command, options->models_dir);
     command->callback(
         [options, &session] { session.run = [options, &session] { return sweep(*options, session.arguments); }; });

@@ -67,6 +67,19 @@ twd_finger finger(const twd_chain &chain, std::size_t first, std::size_t second,
     return finger;
 }
 
+twd_cpg_config cpg_config(const sim::OscillatorSetup &setup, bool with_centre)
+{
+    twd_cpg_config config{};
+    config.with_centre = with_centre;
+    config.tick_s = num(control_step_s);
+    config.amplitude_rate_per_s = num(setup.amplitude_rate_per_s);
+    config.centre_rate_per_s = num(setup.centre_rate_per_s);
+    if (setup.return_lag == sim::ReturnLag::equal) config.return_lag = TWD_RETURN_LAG_EQUAL;
+    if (setup.centre_start == sim::CentreStart::zero) config.centre_start = TWD_CENTRE_START_AT_ZERO;
+    if (setup.centre_start == sim::CentreStart::target) config.centre_start = TWD_CENTRE_START_AT_TARGET;
+    return config;
+}
+
 } // namespace
 
 twd_controller_config controller_config(const sim::Setup &setup, const twd_model &model, bool with_centre)
@@ -74,12 +87,10 @@ twd_controller_config controller_config(const sim::Setup &setup, const twd_model
     const sim::OscillatorSetup &oscillators = setup.oscillators;
     twd_controller_config config{};
     config.model = &model;
-    config.with_centre = with_centre;
-    config.tick_s = num(control_step_s);
-    config.amplitude_rate_per_s = num(oscillators.amplitude_rate_per_s);
-    config.centre_rate_per_s = num(oscillators.centre_rate_per_s);
+    config.oscillators = cpg_config(oscillators, with_centre);
     config.phase_start =
         oscillators.phase_start == sim::PhaseStart::zero ? TWD_PHASE_START_AT_ZERO : TWD_PHASE_START_AT_LAG;
+    config.saturation = oscillators.saturation == sim::Saturation::each ? TWD_SATURATE_EACH : TWD_SATURATE_SUM;
     config.ranges.frequency_lower_hz = num(oscillators.frequency_lower_hz);
     config.ranges.frequency_upper_hz = num(oscillators.frequency_upper_hz);
     config.ranges.lone_frequency_hz = num(oscillators.lone_frequency_hz);
@@ -110,6 +121,9 @@ twd_agent_config agent_config(const sim::LearnerSetup &setup, const twd_model &m
     config.noise.end = num(setup.noise_end);
     config.noise.decay_fraction = num(setup.noise_decay_fraction);
     config.noise.trials = trials;
+    if (setup.selector_noise == sim::SelectorNoise::none) config.silent_units = model.cpgs > 1 ? model.cpgs : 0;
+    config.learned_value =
+        setup.learned_value == sim::LearnedValue::unclipped ? TWD_LEARN_FROM_UNCLIPPED : TWD_LEARN_FROM_CLIPPED;
     config.seed = seed;
     return config;
 }

@@ -69,9 +69,9 @@ std::string learning_curves_csv(const Sweep &sweep, const std::vector<Cell> &cel
     std::vector<Texts> rows;
     for (const Cell &cell : cells) {
         for (const CurvePoint &point : learning_curve(cell)) {
-            rows.push_back(joined(names_of(cell), {std::to_string(cell.runs.size()), number_cell(point.trial),
-                                                   number_cell(point.mean_rad), number_cell(point.sd_rad),
-                                                   number_cell(point.best_run_rad)}));
+            rows.push_back(
+                joined(names_of(cell), {std::to_string(cell.runs.size()), full(point.trial), full(point.mean_rad),
+                                        full(point.sd_rad), full(point.best_run_rad)}));
         }
     }
     return csv_text({"learning curves: each run's mean rotation in rad over " + std::to_string(trials_a_point) +
@@ -92,7 +92,7 @@ std::string best_runs_csv(const Sweep &sweep, const std::vector<Cell> &cells)
         for (std::size_t rank = 0; rank < std::min(most_ranks, order.size()); ++rank) {
             const CellRun &run = cell.runs[order[rank]];
             rows.push_back(joined(names_of(cell), {std::to_string(rank + 1), std::to_string(run.seed), run.folder,
-                                                   number_cell(cell.rotation_rad[order[rank]])}));
+                                                   full(cell.rotation_rad[order[rank]])}));
         }
     }
     return csv_text({"the two best runs of each cell; rotation_rad: " + rotation_text(sweep), origin_text(sweep)},

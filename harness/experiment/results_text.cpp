@@ -1,7 +1,8 @@
 #include "results_text.hpp"
 
-#include "record/number_text.hpp"
 #include "record/versions.hpp"
+
+#include <algorithm>
 
 namespace twiddle::experiment
 {
@@ -18,15 +19,6 @@ std::string last_trials_text(const Sweep &sweep)
     return "over the last " + std::to_string(last_trials(sweep)) + " of " + trials + " trials";
 }
 
-std::string csv_line(const Texts &cells)
-{
-    std::string line;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        line += (i > 0 ? "," : "") + cells[i];
-    }
-    return line + "\n";
-}
-
 } // namespace
 
 std::string rotation_text(const Sweep &sweep)
@@ -39,33 +31,13 @@ std::string origin_text(const Sweep &sweep)
     return "sweep " + sweep.name + " of " + sweep.version + ", summarized by " + record::version_line();
 }
 
-Texts joined(Texts first, const Texts &second)
+std::string model_text(const std::string &model, bool centre)
 {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
-
-std::string number_cell(const std::optional<double> &value)
-{
-    return value ? record::number_text(*value) : "";
-}
-
-std::string truth_cell(bool value)
-{
-    return value ? "true" : "false";
-}
-
-std::string csv_text(const Texts &comments, const Texts &columns, const std::vector<Texts> &rows)
-{
-    std::string text;
-    for (const std::string &comment : comments) {
-        text += "# " + comment + "\n";
-    }
-    text += csv_line(columns);
-    for (const Texts &row : rows) {
-        text += csv_line(row);
-    }
-    return text;
+    std::string name = model;
+    std::transform(name.begin(), name.end(), name.begin(), [](char letter) {
+        return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 32) : letter;
+    });
+    return name + (centre ? "" : " without centre");
 }
 
 } // namespace twiddle::experiment

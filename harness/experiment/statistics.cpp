@@ -28,13 +28,14 @@ double mean_of_resample(const std::vector<double> &values, std::mt19937_64 &gene
     return sum / static_cast<double>(values.size());
 }
 
-// Between two values of the sorted list, on the straight line.
-double quantile(const std::vector<double> &sorted, double share)
+// The middle 95 % of what `draw` gives from a generator that is seeded anew for every call, so that no group depends on others.
+template <class Draw> Interval middle_of_resamples(const Draw &draw)
 {
-    const double place = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+    std::mt19937_64 generator(bootstrap_seed);
+    std::vector<double> found(bootstrap_resamples);
+    std::generate(found.begin(), found.end(), [&] { return draw(generator); });
+    std::sort(found.begin(), found.end());
+    return {quantile_of_sorted(found, tail), quantile_of_sorted(found, 1 - tail)};
 }
 
 } // namespace
@@ -49,13 +50,38 @@ double standard_deviation(const std::vector<double> &values)
     return std::sqrt(boost::math::statistics::sample_variance(values));
 }
 
+double quantile_of_sorted(const std::vector<double> &sorted, double share)
+{
+    const double place = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
 Interval bootstrap_interval_of_mean(const std::vector<double> &values)
 {
-    std::mt19937_64 generator(bootstrap_seed); // anew for every group, so that none depends on the others
-    std::vector<double> means(bootstrap_resamples);
-    std::generate(means.begin(), means.end(), [&] { return mean_of_resample(values, generator); });
-    std::sort(means.begin(), means.end());
-    return {quantile(means, tail), quantile(means, 1 - tail)};
+    return middle_of_resamples([&](std::mt19937_64 &generator) { return mean_of_resample(values, generator); });
+}
+
+double mean_difference(const std::vector<CellChange> &cells)
+{
+    double sum = 0;
+    for (const CellChange &cell : cells) {
+        sum += mean(cell.changed) - mean(cell.base);
+    }
+    return sum / static_cast<double>(cells.size());
+}
+
+Interval bootstrap_interval_of_mean_difference(const std::vector<CellChange> &cells)
+{
+    return middle_of_resamples([&](std::mt19937_64 &generator) {
+        double sum = 0;
+        for (const CellChange &cell : cells) {
+            const double changed = mean_of_resample(cell.changed, generator);
+            sum += changed - mean_of_resample(cell.base, generator);
+        }
+        return sum / static_cast<double>(cells.size());
+    });
 }
 
 std::vector<double> holm_corrected(const std::vector<double> &p_values)

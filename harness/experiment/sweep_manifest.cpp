@@ -30,7 +30,7 @@ class Planner
 {
   public:
     Planner(const std::filesystem::path &path, const std::filesystem::path &models_dir,
-            const record::RunSpecification &defaults)
+            const record::RunSpecification &defaults, const std::string &setup)
         : manifest_(path), objects_(sim::object_names(models_dir)), models_(model_names())
     {
         manifest_.require_keys(Pointer(), manifest_keys);
@@ -39,7 +39,16 @@ class Planner
         plan_.common.trials =
             static_cast<std::uint32_t>(manifest_.whole_number(Pointer("/trials"), std::int64_t{most_trials}));
         plan_.common.stepper = manifest_.name(Pointer("/stepper"), sim::stepper_names(), defaults.stepper);
-        load_setup(path.parent_path(), models_dir);
+        const std::string own = own_setup(path.parent_path(), defaults.setup);
+        if (!setup.empty()) {
+            take(sim::load_setup(models_dir, setup));
+            return;
+        }
+        try {
+            take(sim::load_setup(models_dir, own));
+        } catch (const std::runtime_error &error) {
+            manifest_.fail(Pointer("/setup"), std::string("setup: ") + error.what());
+        }
     }
 
     SweepPlan plan() &&
@@ -53,23 +62,21 @@ class Planner
     }
 
   private:
-    void load_setup(const std::filesystem::path &folder, const std::filesystem::path &models_dir)
+    // The set-up that the manifest in `folder` names, as load_setup() takes it; `silent` where it names none.
+    std::string own_setup(const std::filesystem::path &folder, const std::string &silent) const
     {
         const Pointer place("/setup");
-        std::string name = plan_.common.setup;
-        if (manifest_.has(place)) {
-            const json &value = manifest_.at(place, "");
-            if (!value.is_string()) manifest_.fail_value(place, "the name of a set-up");
-            name = value.get<std::string>();
-            if (std::filesystem::path(name).extension() == ".toml") name = (folder / name).string();
-        }
-        try {
-            const sim::Setup setup = sim::load_setup(models_dir, name);
-            plan_.common.setup = setup.name;
-            plan_.common.settings = setup.settings;
-        } catch (const std::runtime_error &error) {
-            manifest_.fail(place, std::string("setup: ") + error.what());
-        }
+        if (!manifest_.has(place)) return silent;
+        const json &value = manifest_.at(place, "");
+        if (!value.is_string()) manifest_.fail_value(place, "the name of a set-up");
+        const std::string name = value.get<std::string>();
+        return std::filesystem::path(name).extension() == ".toml" ? (folder / name).string() : name;
+    }
+
+    void take(const sim::Setup &setup)
+    {
+        plan_.common.setup = setup.name;
+        plan_.common.settings = setup.settings;
     }
 
     // The name of the block's variant, which becomes a folder; empty if it has none.
@@ -172,9 +179,9 @@ class Planner
 } // namespace
 
 SweepPlan read_sweep_manifest(const std::filesystem::path &path, const std::filesystem::path &models_dir,
-                              const record::RunSpecification &defaults)
+                              const record::RunSpecification &defaults, const std::string &setup)
 {
-    return Planner(path, models_dir, defaults).plan();
+    return Planner(path, models_dir, defaults, setup).plan();
 }
 
 record::Json sweep_json(const SweepPlan &plan)

@@ -1,7 +1,7 @@
 // sweep_manifest.hpp: many training runs from one file, a sweep's manifest (models/sweeps/NAME.toml):
 //
 //     trials = 5000                 # of every run
-//     setup = "mid-a"               # optional: a set-up's name, or a .toml file beside the manifest
+//     setup = "near"                # optional: a set-up's name, or a .toml file beside the manifest
 //     stepper = "fast"              # optional
 //     [[runs]]                      # one block or more; each is every combination of its lists
 //     objects = ["small-sphere"]    # or "all"
@@ -38,11 +38,12 @@ struct SweepPlan {
     std::vector<PlannedRun> runs;                  // block by block; within one by object, model, centre, seed
 };
 
-// Read the manifest `path`; `defaults` gives set-up, stepper, hand and number type where it is silent. Throws std::runtime_error
-// with one sentence that names file, line, key and what was expected: unknown keys and names, values out of range, a run that
-// is listed twice, `set` without a variant, one variant with two sets.
+// Read the manifest `path`; `defaults` gives set-up, stepper, hand and number type where it is silent, and `setup`, unless it is
+// empty, the set-up whatever the manifest says. Throws std::runtime_error with one sentence that names file, line, key and what was
+// expected: unknown keys and names, values out of range, a run that is listed twice, `set` without a variant, one variant
+// with two sets.
 SweepPlan read_sweep_manifest(const std::filesystem::path &path, const std::filesystem::path &models_dir,
-                              const record::RunSpecification &defaults);
+                              const record::RunSpecification &defaults, const std::string &setup = "");
 
 // sweep.json: all that decides the numbers of the sweep's runs, and the runs with their folders.
 record::Json sweep_json(const SweepPlan &plan);

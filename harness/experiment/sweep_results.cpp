@@ -45,6 +45,16 @@ SweepRun read_listed_run(const record::Json &json, const fs::path &path)
     return run;
 }
 
+// The settings in which a variant differs, as a reader would write them.
+std::string changes_text(const record::Json &changes)
+{
+    std::string text;
+    for (const auto &[setting, value] : changes.items()) {
+        text += (text.empty() ? "" : ", ") + setting + " = " + value.dump();
+    }
+    return text;
+}
+
 void require_distinct(const std::vector<SweepRun> &runs, const fs::path &path)
 {
     std::set<std::tuple<std::string, std::string, std::string, bool, std::uint64_t>> known;
@@ -133,6 +143,12 @@ Sweep read_sweep(const fs::path &folder)
     sweep.version = record::json_value<std::string>(json, "version", "a text", path);
     sweep.trials = record::json_value<std::uint32_t>(json, "trials", "a whole number", path);
     if (sweep.trials == 0) throw std::runtime_error("'" + path.string() + "': 'trials' must be at least 1");
+    if (json.contains("variants")) {
+        const auto variants = record::json_value<record::Json>(json, "variants", "an object of variants", path);
+        for (const auto &[variant, changes] : variants.items()) {
+            sweep.changes[variant] = changes_text(changes);
+        }
+    }
     const auto runs = json.find("runs");
     if (runs == json.end() || !runs->is_array() || runs->empty())
         throw std::runtime_error("'" + path.string() + "': 'runs' must be a list of runs");

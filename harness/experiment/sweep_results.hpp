@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,9 @@ struct SweepRun {
 // sweep.json.
 struct Sweep {
     std::string name;
-    std::string version;      // line of the program that wrote it
-    std::uint32_t trials = 0; // of every run
+    std::string version;                        // line of the program that wrote it
+    std::uint32_t trials = 0;                   // of every run
+    std::map<std::string, std::string> changes; // by variant, "section.key = value, ..."
     std::vector<SweepRun> runs;
 };
 

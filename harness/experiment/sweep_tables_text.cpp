@@ -4,9 +4,6 @@
 #include "results_text.hpp"
 
 #include <algorithm>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
 namespace twiddle::experiment
 {
@@ -31,19 +28,11 @@ Texts csv_cells(const CellSummary &cell)
             cell.model,
             truth_cell(cell.centre),
             std::to_string(cell.runs),
-            number_cell(cell.mean_rad),
-            number_cell(cell.sd_rad),
-            number_cell(cell.best_rad),
-            interval ? number_cell(interval->lower) : "",
-            interval ? number_cell(interval->upper) : ""};
-}
-
-std::string fixed(double value, int digits)
-{
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::fixed << std::setprecision(digits) << value;
-    return text.str();
+            full(cell.mean_rad),
+            full(cell.sd_rad),
+            full(cell.best_rad),
+            interval ? full(interval->lower) : "",
+            interval ? full(interval->upper) : ""};
 }
 
 std::string p_text(double p)
@@ -51,43 +40,21 @@ std::string p_text(double p)
     return p < 0.0001 ? "< 0.0001" : fixed(p, 4);
 }
 
-std::string markdown_row(const Texts &cells)
+// A table, or a sentence where the sweep has nothing for it.
+std::string table_or_sentence(const Texts &columns, const std::vector<Texts> &rows)
 {
-    std::string row = "|";
-    for (const std::string &cell : cells) {
-        row += " " + cell + " |";
-    }
-    return row + "\n";
-}
-
-std::string markdown_table(const Texts &columns, const std::vector<Texts> &rows)
-{
-    if (rows.empty()) return "The sweep has no runs of this table.\n";
-    std::string text = markdown_row(columns) + markdown_row(Texts(columns.size(), "---"));
-    for (const Texts &row : rows) {
-        text += markdown_row(row);
-    }
-    return text;
+    return rows.empty() ? "The sweep has no runs of this table.\n" : markdown_table(columns, rows);
 }
 
 const Texts markdown_cell_columns = {"variant",       "object", "model", "rotation (rad): mean ± sd (best)",
                                      "95 % interval", "runs"};
-
-std::string model_text(const CellSummary &cell)
-{
-    std::string name = cell.model;
-    std::transform(name.begin(), name.end(), name.begin(), [](char letter) {
-        return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 32) : letter;
-    });
-    return name + (cell.centre ? "" : " without centre");
-}
 
 Texts markdown_cells(const CellSummary &cell)
 {
     const std::optional<Interval> &interval = cell.interval_rad;
     return {cell.variant.empty() ? "-" : cell.variant,
             cell.object,
-            model_text(cell),
+            model_text(cell.model, cell.centre),
             fixed(cell.mean_rad, 3) + " ± " + (cell.sd_rad ? fixed(*cell.sd_rad, 3) : "-") + " (" +
                 fixed(cell.best_rad, 3) + ")",
             interval ? fixed(interval->lower, 3) + " to " + fixed(interval->upper, 3) : "-",
@@ -112,7 +79,7 @@ std::string table1_markdown(const SweepTables &tables)
         rows.push_back(joined(markdown_cells(row.cell),
                               {row.p ? p_text(*row.p) : "-", row.paper_reward.empty() ? "-" : row.paper_reward}));
     }
-    return markdown_table(joined(markdown_cell_columns, {"p, with against without", "paper's reward"}), rows);
+    return table_or_sentence(joined(markdown_cell_columns, {"p, with against without", "paper's reward"}), rows);
 }
 
 std::string table2_markdown(const SweepTables &tables)
@@ -121,8 +88,8 @@ std::string table2_markdown(const SweepTables &tables)
     for (const ModelRow &row : tables.models) {
         rows.push_back(joined(markdown_cells(row.cell), {comparison_text(row), paper_text(row.paper)}));
     }
-    return markdown_table(joined(markdown_cell_columns, {"p against the winner (uncorrected)", "paper's reward"}),
-                          rows);
+    return table_or_sentence(joined(markdown_cell_columns, {"p against the winner (uncorrected)", "paper's reward"}),
+                             rows);
 }
 
 // How small a corrected p can be: with few runs, no difference however large is significant.
@@ -165,7 +132,7 @@ std::string table1_csv(const Sweep &sweep, const SweepTables &tables)
 {
     std::vector<Texts> rows;
     for (const CentreRow &row : tables.centre) {
-        rows.push_back(joined(csv_cells(row.cell), {number_cell(row.p), row.paper_reward}));
+        rows.push_back(joined(csv_cells(row.cell), {full(row.p), row.paper_reward}));
     }
     return csv_text(
         {"Table 1: CPG-H with and without the parameters that set the centres of oscillation, beside the "
@@ -181,10 +148,9 @@ std::string table2_csv(const Sweep &sweep, const SweepTables &tables)
     std::vector<Texts> rows;
     for (const ModelRow &row : tables.models) {
         const std::optional<Comparison> &comparison = row.comparison;
-        rows.push_back(
-            joined(csv_cells(row.cell),
-                   {truth_cell(row.winner), comparison ? number_cell(comparison->p) : "",
-                    comparison ? number_cell(comparison->p_holm) : "", row.paper.mean, row.paper.sd, row.paper.best}));
+        rows.push_back(joined(csv_cells(row.cell), {truth_cell(row.winner), comparison ? full(comparison->p) : "",
+                                                    comparison ? full(comparison->p_holm) : "", row.paper.mean,
+                                                    row.paper.sd, row.paper.best}));
     }
     return csv_text({"Table 2: the four models with centre, beside the paper's",
                      rotation_text(sweep) + "; sd_rad: n - 1", "lower_rad, upper_rad: " + bootstrap_text,

@@ -1,6 +1,9 @@
 #include "part_file.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -29,18 +32,21 @@ PartFile::PartFile(std::filesystem::path path, std::uintmax_t kept_bytes) : path
 
 void PartFile::write(std::string_view text)
 {
+    errno = 0;
     file_.write(text.data(), static_cast<std::streamsize>(text.size()));
     check();
 }
 
 void PartFile::flush()
 {
+    errno = 0;
     file_.flush();
     check();
 }
 
 void PartFile::finish()
 {
+    errno = 0;
     file_.close();
     check();
     std::error_code error;
@@ -50,13 +56,16 @@ void PartFile::finish()
 
 void PartFile::open(std::ios::openmode mode)
 {
+    errno = 0;
     file_.open(part_path(path_), mode);
     check();
 }
 
 void PartFile::check()
 {
-    if (!file_) throw std::runtime_error("cannot write '" + part_path(path_).string() + "'");
+    if (file_) return;
+    const std::string reason = errno != 0 ? std::string(": ") + std::strerror(errno) : "";
+    throw std::runtime_error("cannot write '" + part_path(path_).string() + "'" + reason);
 }
 
 } // namespace twiddle::record

@@ -33,6 +33,8 @@ class PartFile
 
   private:
     void open(std::ios::openmode mode);
+
+    // Throw if the last operation, before which errno was set to 0, has failed.
     void check();
 
     std::filesystem::path path_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace twiddle::sim
 {
@@ -101,16 +102,21 @@ template <typename Part> struct Section {
                     return true;
                 }};
     }
-    // One of two words; `first` and `second` are their meanings.
+    // One of some words, each with its meaning.
     template <typename Choice>
-    Setting word(const char *key, Choice Part::*member, const char *first_word, Choice first, const char *second_word,
-                 Choice second) const
+    Setting word(const char *key, Choice Part::*member,
+                 const std::vector<std::pair<std::string, Choice>> &choices) const
     {
-        const std::string expected = std::string("\"") + first_word + "\" or \"" + second_word + "\"";
+        std::string expected;
+        for (const auto &[word, meaning] : choices)
+            expected += (expected.empty() ? "\"" : " or \"") + word + "\"";
         return {name, key, expected, [=, part = part](const json &value, Setup &setup) {
-                    if (value != json(first_word) && value != json(second_word)) return false;
-                    setup.*part.*member = value == json(first_word) ? first : second;
-                    return true;
+                    for (const auto &[word, meaning] : choices) {
+                        if (value != json(word)) continue;
+                        setup.*part.*member = meaning;
+                        return true;
+                    }
+                    return false;
                 }};
     }
     Setting joints(const char *key, JointVector Part::*member, const Range &range) const
@@ -148,8 +154,9 @@ std::vector<Setting> make_table()
         object.number("centre_z_m", &O::centre_z_m, from(-0.2, 0.2)),
         object.number("mass_kg", &O::mass_kg, above(0, 10)),
         object.number("cylinder_height_m", &O::cylinder_height_m, above(0, 0.2)),
-        object.word("cube_size", &O::cube_size, "whole-diagonal", CubeSize::whole_diagonal, "half-diagonal",
-                    CubeSize::half_diagonal),
+        object.word<CubeSize>(
+            "cube_size", &O::cube_size,
+            {{"whole-diagonal", CubeSize::whole_diagonal}, {"half-diagonal", CubeSize::half_diagonal}}),
         object.number("rounding_m", &O::rounding_m, above(0, 0.005)),
         object.number("coulomb_nm", &O::coulomb_nm, from(0, 1)),
         object.number("viscous_nms_per_rad", &O::viscous_nms_per_rad, from(0, 1)),
@@ -163,7 +170,7 @@ std::vector<Setting> make_table()
         hand.number("torque_limit_nm", &H::torque_limit_nm, above(0, 10)),
         hand.joints("stiffness_nm_per_rad", &H::stiffness_nm_per_rad, above(0, 10)),
         hand.joints("damping_nms_per_rad", &H::damping_nms_per_rad, from(0, 1)),
-        hand.word("pd_law", &H::pd_law, "plain", PdLaw::plain, "stable", PdLaw::stable),
+        hand.word<PdLaw>("pd_law", &H::pd_law, {{"plain", PdLaw::plain}, {"stable", PdLaw::stable}}),
         hand.joints("pd_inertia_kg_m2", &H::pd_inertia_kg_m2, above(0, 0.01)),
 
         contact.number("friction", &P::friction, from(0, 5)),
@@ -185,14 +192,25 @@ std::vector<Setting> make_table()
         oscillators.number("centre_upper", &C::centre_upper, from(0, 1)),
         oscillators.number("amplitude_rate_per_s", &C::amplitude_rate_per_s, above(0, 1000)),
         oscillators.number("centre_rate_per_s", &C::centre_rate_per_s, above(0, 1000)),
-        oscillators.word("phase_start", &C::phase_start, "desired-lag", PhaseStart::desired_lag, "zero",
-                         PhaseStart::zero),
+        oscillators.word<PhaseStart>("phase_start", &C::phase_start,
+                                     {{"desired-lag", PhaseStart::desired_lag}, {"zero", PhaseStart::zero}}),
+        oscillators.word<CentreStart>(
+            "centre_start", &C::centre_start,
+            {{"hand", CentreStart::hand}, {"zero", CentreStart::zero}, {"target", CentreStart::target}}),
+        oscillators.word<ReturnLag>("return_lag", &C::return_lag,
+                                    {{"negated", ReturnLag::negated}, {"equal", ReturnLag::equal}}),
+        oscillators.word<Saturation>("saturation", &C::saturation,
+                                     {{"sum", Saturation::sum}, {"each", Saturation::each}}),
 
         learner.number("actor_rate", &L::actor_rate, from(0, 10)),
         learner.number("critic_rate", &L::critic_rate, from(0, 10)),
         learner.number("input_squared_norm", &L::input_squared_norm, above(0, 100)),
         learner.number("weight_range", &L::weight_range, from(0, 10)),
         learner.number("clip", &L::clip, from(0, 0.4)),
+        learner.word<LearnedValue>("learned_value", &L::learned_value,
+                                   {{"clipped", LearnedValue::clipped}, {"unclipped", LearnedValue::unclipped}}),
+        learner.word<SelectorNoise>("selector_noise", &L::selector_noise,
+                                    {{"as-experts", SelectorNoise::as_experts}, {"none", SelectorNoise::none}}),
         learner.number("noise_start", &L::noise_start, from(0, 1)),
         learner.number("noise_end", &L::noise_end, from(0, 1)),
         learner.number("noise_decay_fraction", &L::noise_decay_fraction, above(0, 1)),

@@ -18,6 +18,11 @@ namespace twiddle::sim
 
 enum class CubeSize { whole_diagonal, half_diagonal };
 enum class PhaseStart { desired_lag, zero };
+enum class ReturnLag { negated, equal };
+enum class CentreStart { hand, zero, target };
+enum class Saturation { sum, each };
+enum class SelectorNoise { as_experts, none };
+enum class LearnedValue { clipped, unclipped };
 enum class PdLaw { plain, stable };
 
 // [object]: what is turned, and where.
@@ -71,6 +76,9 @@ struct OscillatorSetup {
     double amplitude_rate_per_s = 0; // a
     double centre_rate_per_s = 0;    // b
     PhaseStart phase_start = PhaseStart::desired_lag;
+    CentreStart centre_start = CentreStart::hand;
+    ReturnLag return_lag = ReturnLag::negated; // phi_ji, of phi_ij
+    Saturation saturation = Saturation::sum;   // of joint outputs to their ranges: before or after the CPGs are mixed
 };
 
 // [learner]
@@ -80,6 +88,8 @@ struct LearnerSetup {
     double input_squared_norm = 0;
     double weight_range = 0;
     double clip = 0;
+    LearnedValue learned_value = LearnedValue::clipped; // of an explored output that the clip has changed
+    SelectorNoise selector_noise = SelectorNoise::as_experts;
     double noise_start = 0;
     double noise_end = 0;
     double noise_decay_fraction = 0;

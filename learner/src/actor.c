@@ -18,6 +18,7 @@ enum twd_error twd_actor_init(struct twd_actor *actor, size_t units, size_t inpu
         }
         actor->output[j] = TWD_NUM(0);
         actor->explored[j] = TWD_NUM(0);
+        actor->learned_value[j] = TWD_NUM(0);
     }
     return TWD_OK;
 }
@@ -36,11 +37,16 @@ void twd_actor_activate(struct twd_actor *actor, const twd_num *input)
         actor->output[j] = twd_actor_unit(actor, j, input);
 }
 
-void twd_actor_explore(struct twd_actor *actor, twd_num half_range, twd_num clip, struct twd_random *random)
+void twd_actor_explore(struct twd_actor *actor, const struct twd_exploration *exploration, struct twd_random *random)
 {
+    const twd_num clip = exploration->clip;
     for (size_t j = 0; j < actor->units; j++) {
-        const twd_num explored = actor->output[j] + twd_random_symmetric(random, half_range);
-        actor->explored[j] = twd_clamp(explored, clip, TWD_NUM(1) - clip);
+        const twd_num noise = twd_random_symmetric(random, exploration->half_range);
+        const bool silent = j + exploration->silent_units >= actor->units;
+        const twd_num unclipped = silent ? actor->output[j] : actor->output[j] + noise;
+        actor->explored[j] = twd_clamp(unclipped, clip, TWD_NUM(1) - clip);
+        const bool learns_from_unclipped = silent || exploration->learned_value == TWD_LEARN_FROM_UNCLIPPED;
+        actor->learned_value[j] = learns_from_unclipped ? unclipped : actor->explored[j];
     }
 }
 
@@ -50,7 +56,7 @@ void twd_actor_learn(struct twd_actor *actor, const twd_num *input, twd_num rate
     for (size_t j = 0; j < actor->units; j++) {
         const twd_num output = actor->output[j];
         const twd_num slope = twd_mul(output, TWD_NUM(1) - output);
-        const twd_num step = twd_mul(gain, twd_mul(actor->explored[j] - output, slope));
+        const twd_num step = twd_mul(gain, twd_mul(actor->learned_value[j] - output, slope));
         for (size_t i = 0; i < actor->inputs; i++)
             actor->weight[j][i] += twd_mul(step, input[i]);
     }

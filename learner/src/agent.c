@@ -24,6 +24,9 @@ static enum twd_error check(const struct twd_agent_config *config)
     if (!is_fraction(config->clip) || config->clip >= TWD_NUM(0.5)) return TWD_ERROR_RANGE;
     if (!is_fraction(noise->start) || !is_fraction(noise->end)) return TWD_ERROR_RANGE;
     if (!is_fraction(noise->decay_fraction) || noise->decay_fraction <= TWD_NUM(0)) return TWD_ERROR_RANGE;
+    if (config->silent_units > config->units) return TWD_ERROR_RANGE;
+    if (config->learned_value != TWD_LEARN_FROM_CLIPPED && config->learned_value != TWD_LEARN_FROM_UNCLIPPED)
+        return TWD_ERROR_RANGE;
     if (noise->trials < 1 || noise->trials > INT32_MAX) return TWD_ERROR_RANGE;
     return TWD_OK;
 }
@@ -54,7 +57,9 @@ void twd_agent_act(struct twd_agent *agent, const twd_num *input, twd_num *param
     agent->noise = twd_noise_half_range(&agent->config.noise, agent->trial);
     agent->value = twd_critic_value(&agent->critic, agent->input);
     twd_actor_activate(&agent->actor, agent->input);
-    twd_actor_explore(&agent->actor, agent->noise, agent->config.clip, &agent->random);
+    const struct twd_exploration exploration = {agent->noise, agent->config.clip, agent->config.silent_units,
+                                                agent->config.learned_value};
+    twd_actor_explore(&agent->actor, &exploration, &agent->random);
     for (size_t j = 0; j < agent->config.units; j++)
         parameter[j] = agent->actor.explored[j];
 }

@@ -22,10 +22,10 @@ static struct twd_controller_config config_of(const struct twd_model *model, boo
     struct twd_controller_config config;
     memset(&config, 0, sizeof config);
     config.model = model;
-    config.with_centre = with_centre;
-    config.tick_s = TWD_NUM(TICK_S);
-    config.amplitude_rate_per_s = TWD_NUM(RATE_PER_S);
-    config.centre_rate_per_s = TWD_NUM(RATE_PER_S);
+    config.oscillators.with_centre = with_centre;
+    config.oscillators.tick_s = TWD_NUM(TICK_S);
+    config.oscillators.amplitude_rate_per_s = TWD_NUM(RATE_PER_S);
+    config.oscillators.centre_rate_per_s = TWD_NUM(RATE_PER_S);
     config.ranges.frequency_lower_hz = TWD_NUM(0.5);
     config.ranges.frequency_upper_hz = TWD_NUM(1.5);
     config.ranges.lone_frequency_hz = TWD_NUM(1);
@@ -158,6 +158,42 @@ static void outputs_out_of_range_are_saturated_and_counted(void **state)
     assert_int_equal(controller.saturations.output, expected);
 }
 
+/* CPG-H with weights of 1/3: CPG-C's FEI swings by 0.5 around 0.9, beyond the range, and the others' stand at 0.3. The sum, at
+ * most 2/3, is never cut; with each CPG saturated, CPG-C's part is cut at 1/3. Expected: both closed forms, tick by tick. */
+static void saturation_cuts_the_sum_or_each_cpg(void **state)
+{
+    (void)state;
+    twd_num parameter[22] = {TWD_NUM(0.5)}; /* 1 Hz */
+    parameter[1] = TWD_NUM(1);              /* R1 of C: 0.5 */
+    parameter[5] = TWD_NUM(0.9);            /* C1 of C */
+    parameter[14] = TWD_NUM(0.3);           /* C1 of M */
+    parameter[18] = TWD_NUM(0.3);           /* C1 of S */
+    for (int k = 19; k < 22; k++)
+        parameter[k] = TWD_NUM(0.5);
+    struct twd_controller_config config = config_of(&twd_model_h, true);
+    struct twd_controller of_sum = make(&config);
+    config.saturation = TWD_SATURATE_EACH;
+    struct twd_controller of_each = make(&config);
+    assert_int_equal(twd_controller_start(&of_sum, parameter, 22), TWD_OK);
+    assert_int_equal(twd_controller_start(&of_each, parameter, 22), TWD_OK);
+    uint32_t cut = 0;
+    for (int tick = 1; tick <= 300; tick++) {
+        twd_num desired[4];
+        const double t = tick * TICK_S;
+        const double c = step_response(0.0, 0.9, t) + step_response(0.0, 0.5, t) * cos(2.0 * PI * t);
+        const double others = 2.0 * step_response(0.0, 0.3, t);
+        assert_true(c > 0.0 && fabs(c - 1.0) > 1e-4); /* no tick is a matter of rounding */
+        cut += c > 1.0;
+        twd_controller_tick(&of_sum, desired);
+        assert_close(desired[0], 1.5 * (c + others) / 3.0, BY_NUMBER(1e-6, 2e-5));
+        twd_controller_tick(&of_each, desired);
+        assert_close(desired[0], 1.5 * (fmin(c, 1.0) + others) / 3.0, BY_NUMBER(1e-6, 2e-5));
+    }
+    assert_true(cut > 100);
+    assert_int_equal(of_sum.saturations.output, 0);
+    assert_int_equal(of_each.saturations.output, cut);
+}
+
 /* Phases start at their lags, or all at 0, as the setting says: phi12 is a quarter of a turn here. */
 static void phases_start_as_the_setting_says(void **state)
 {
@@ -276,11 +312,14 @@ static void init_rejects_what_does_not_hold_together(void **state)
     REFUSED(joints, 3, TWD_ERROR_TOO_MANY_JOINTS);
     REFUSED(joints, 0, TWD_ERROR_TOO_MANY_JOINTS);
     REFUSED(joints, TWD_MAX_JOINTS + 1, TWD_ERROR_TOO_MANY_JOINTS);
-    REFUSED(tick_s, 0, TWD_ERROR_TICK);
-    REFUSED(tick_s, nan, TWD_ERROR_TICK);
-    REFUSED(amplitude_rate_per_s, 0, TWD_ERROR_RANGE);
-    REFUSED(centre_rate_per_s, nan, TWD_ERROR_RANGE);
+    REFUSED(oscillators.tick_s, 0, TWD_ERROR_TICK);
+    REFUSED(oscillators.tick_s, nan, TWD_ERROR_TICK);
+    REFUSED(oscillators.amplitude_rate_per_s, 0, TWD_ERROR_RANGE);
+    REFUSED(oscillators.centre_rate_per_s, nan, TWD_ERROR_RANGE);
+    REFUSED(oscillators.return_lag, (enum twd_return_lag)2, TWD_ERROR_RANGE);
+    REFUSED(oscillators.centre_start, (enum twd_centre_start)3, TWD_ERROR_RANGE);
     REFUSED(phase_start, (enum twd_phase_start)2, TWD_ERROR_RANGE);
+    REFUSED(saturation, (enum twd_saturation)2, TWD_ERROR_RANGE);
     REFUSED(ranges.frequency_lower_hz, 0, TWD_ERROR_RANGE);
     REFUSED(ranges.frequency_upper_hz, TWD_NUM(0.4), TWD_ERROR_RANGE);
     REFUSED(ranges.frequency_upper_hz, TWD_NUM(5.1), TWD_ERROR_RANGE);
@@ -340,6 +379,7 @@ int main(void)
         cmocka_unit_test(hierarchical_controller_mixes_and_maps_its_centres),
         cmocka_unit_test(settled_oscillator_swings_over_the_whole_range),
         cmocka_unit_test(outputs_out_of_range_are_saturated_and_counted),
+        cmocka_unit_test(saturation_cuts_the_sum_or_each_cpg),
         cmocka_unit_test(phases_start_as_the_setting_says),
         cmocka_unit_test(torques_are_gravity_and_pd),
         cmocka_unit_test(torques_beyond_the_limit_are_saturated_and_counted),

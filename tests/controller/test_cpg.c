@@ -2,6 +2,7 @@
 #include "ring_topology.h"
 
 #include <twiddle/cpg.h>
+#include <twiddle/phase.h>
 
 #define TICK_S TWD_NUM(0.01)
 #define RATE_PER_S TWD_NUM(20)
@@ -9,11 +10,27 @@
 
 static const struct twd_topology *const trees[] = {&twd_cpg_c, &twd_cpg_m, &twd_cpg_s};
 
-static struct twd_cpg make(const struct twd_topology *topology, bool with_centre)
+static struct twd_cpg_config config_of(bool with_centre)
+{
+    const struct twd_cpg_config config = {
+        .with_centre = with_centre,
+        .tick_s = TICK_S,
+        .amplitude_rate_per_s = RATE_PER_S,
+        .centre_rate_per_s = RATE_PER_S,
+    };
+    return config;
+}
+
+static struct twd_cpg make_as(const struct twd_topology *topology, struct twd_cpg_config config)
 {
     struct twd_cpg cpg;
-    assert_int_equal(twd_cpg_init(&cpg, topology, with_centre, TICK_S, RATE_PER_S, RATE_PER_S), TWD_OK);
+    assert_int_equal(twd_cpg_init(&cpg, topology, &config), TWD_OK);
     return cpg;
+}
+
+static struct twd_cpg make(const struct twd_topology *topology, bool with_centre)
+{
+    return make_as(topology, config_of(with_centre));
 }
 
 static struct twd_cpg_drive random_drive(uint64_t *random, double amplitude_lower)
@@ -229,12 +246,67 @@ static void init_rejects_what_does_not_hold_together(void **state)
         struct twd_cpg before;
         memset(&cpg, 0x5A, sizeof cpg);
         memcpy(&before, &cpg, sizeof cpg);
-        const twd_num rate = (twd_num)cases[k].rate_per_s;
-        const twd_num tick_s = (twd_num)cases[k].tick_s;
-        assert_int_equal(twd_cpg_init(&cpg, cases[k].topology, true, tick_s, rate, RATE_PER_S), cases[k].error);
-        if (tick_s > TWD_NUM(0))
-            assert_int_equal(twd_cpg_init(&cpg, cases[k].topology, true, tick_s, RATE_PER_S, rate), cases[k].error);
+        struct twd_cpg_config amplitude = config_of(true);
+        amplitude.tick_s = (twd_num)cases[k].tick_s;
+        struct twd_cpg_config centre = amplitude;
+        amplitude.amplitude_rate_per_s = centre.centre_rate_per_s = (twd_num)cases[k].rate_per_s;
+        assert_int_equal(twd_cpg_init(&cpg, cases[k].topology, &amplitude), cases[k].error);
+        if (centre.tick_s > TWD_NUM(0))
+            assert_int_equal(twd_cpg_init(&cpg, cases[k].topology, &centre), cases[k].error);
         assert_memory_equal(&cpg, &before, sizeof cpg);
+    }
+}
+
+/* With phi_ji = +phi_ij, two oscillators of equal amplitude R = 0.5 do not settle at phi: their difference d obeys
+ * d' = -2 R sin(d) cos(phi), whose stable end is 0 where cos(phi) > 0 and half a turn where it is below. Both then advance at
+ * nu - R sin(phi) / 2 pi, or nu + it: the closed forms, at the settled end of 200 s. */
+static void equal_return_lag_settles_in_or_against_phase(void **state)
+{
+    (void)state;
+    static const double phi_turns[] = {0.1, 0.2, 0.35, 0.45, 0.6, 0.9};
+    struct twd_cpg_config config = config_of(true);
+    config.return_lag = TWD_RETURN_LAG_EQUAL;
+    for (size_t k = 0; k < sizeof phi_turns / sizeof *phi_turns; k++) {
+        struct twd_cpg cpg = make_as(&twd_cpg_m, config);
+        const double phi = 2.0 * PI * phi_turns[k];
+        const struct twd_cpg_drive drive = {.frequency_hz = TWD_NUM(1),
+                                            .amplitude = {TWD_NUM(0.5), TWD_NUM(0.5)},
+                                            .phase_lag = {twd_phase_from_fraction(TWD_NUM(phi_turns[k]))}};
+        const twd_phase phase[TWD_MAX_OSCILLATORS] = {0, 1U << 30};
+        twd_cpg_start(&cpg, &drive, phase);
+        for (int tick = 0; tick < SETTLED_TICKS; tick++)
+            twd_cpg_tick(&cpg);
+        const double difference = signed_turns(cpg.oscillator[1].phase - cpg.oscillator[0].phase);
+        assert_true(fabs(fabs(difference) - (cos(phi) > 0.0 ? 0.0 : 0.5)) < 1e-5);
+
+        const twd_phase before = cpg.oscillator[0].phase;
+        twd_cpg_tick(&cpg);
+        const double frequency_hz = 1.0 - (cos(phi) > 0.0 ? 0.5 : -0.5) * sin(phi) / (2.0 * PI);
+        assert_close((twd_num)(signed_turns(cpg.oscillator[0].phase - before) / 0.01), frequency_hz, 1e-5);
+    }
+}
+
+/* c at t = 0 is the topology's, 0, or the target, as the setting says; from its target a centre does not move. */
+static void centres_start_as_the_setting_says(void **state)
+{
+    (void)state;
+    static const twd_phase phase[TWD_MAX_OSCILLATORS] = {0};
+    static const double target[4] = {0.25, 0.75, 0.125, 1.0};
+    static const double at_topology[4] = {0.0, 0.5, 0.0, 0.0}, at_zero[4] = {0.0, 0.0, 0.0, 0.0};
+    static const double *const expected[] = {at_topology, at_zero, target};
+    for (int start = TWD_CENTRE_START_AT_TOPOLOGY; start <= TWD_CENTRE_START_AT_TARGET; start++) {
+        struct twd_cpg_config config = config_of(true);
+        config.centre_start = (enum twd_centre_start)start;
+        struct twd_cpg cpg = make_as(&twd_cpg_c, config);
+        struct twd_cpg_drive drive = {.frequency_hz = TWD_NUM(1)};
+        for (int i = 0; i < 4; i++)
+            drive.centre[i] = (twd_num)target[i];
+        twd_cpg_start(&cpg, &drive, phase);
+        for (int i = 0; i < 4; i++)
+            assert_close(cpg.oscillator[i].centre.value, expected[start][i], 0.0);
+        twd_cpg_tick(&cpg);
+        for (int i = 0; start == TWD_CENTRE_START_AT_TARGET && i < 4; i++)
+            assert_close(cpg.oscillator[i].centre.value, target[i], 0.0);
     }
 }
 
@@ -247,6 +319,8 @@ int main(void)
         cmocka_unit_test(phases_at_lag_serve_any_table),
         cmocka_unit_test(outputs_follow_both_equations),
         cmocka_unit_test(ring_settles_to_a_travelling_wave),
+        cmocka_unit_test(equal_return_lag_settles_in_or_against_phase),
+        cmocka_unit_test(centres_start_as_the_setting_says),
         cmocka_unit_test(init_rejects_what_does_not_hold_together),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -31,6 +31,7 @@ static const struct twd_topology *const networks[] = {&twd_cpg_c, &twd_cpg_m, &t
 struct set {
     const struct twd_topology *topology;
     bool with_centre;
+    enum twd_return_lag return_lag;
     struct twd_cpg_drive drive;
     twd_phase phase[TWD_MAX_OSCILLATORS];
 };
@@ -47,6 +48,7 @@ static struct set random_set(uint64_t *random, int index)
     memset(&set, 0, sizeof set);
     set.topology = networks[index % 4];
     set.with_centre = (index / 4) % 2 == 0;
+    set.return_lag = (index / 8) % 2 == 0 ? TWD_RETURN_LAG_NEGATED : TWD_RETURN_LAG_EQUAL;
     set.drive.frequency_hz = (twd_num)uniform(random, 0.3, 2.0);
     for (int i = 0; i < TWD_MAX_OSCILLATORS; i++) {
         set.drive.amplitude[i] = (twd_num)uniform(random, 0.0, 0.5);
@@ -59,7 +61,7 @@ static struct set random_set(uint64_t *random, int index)
 }
 
 /* The state y of the reference: for oscillator i, theta, r, r', c, c' at 5 i. The sums run over i and j as the paper
- * prints them, with w_ij = 1 where the table couples i and j, phi_ij = phi one way and -phi the other. */
+ * prints them, with w_ij = 1 where the table couples i and j, phi_ij = phi one way and -phi or phi the other. */
 static int derivative(double time_s, const double y[], double dydt[], void *context)
 {
     (void)time_s;
@@ -71,10 +73,11 @@ static int derivative(double time_s, const double y[], double dydt[], void *cont
         for (int k = 0; k < set->topology->couplings; k++) {
             const struct twd_coupling coupling = set->topology->coupling[k];
             const double phi = 2.0 * PI * (double)set->drive.phase_lag[k] / 4294967296.0;
+            const double return_phi = set->return_lag == TWD_RETURN_LAG_EQUAL ? phi : -phi;
             const int first = coupling.first;
             const int second = coupling.second;
             if (i == first) dydt[5 * i] += y[5 * second + 1] * sin(y[5 * second] - y[5 * i] - phi);
-            if (i == second) dydt[5 * i] += y[5 * first + 1] * sin(y[5 * first] - y[5 * i] + phi);
+            if (i == second) dydt[5 * i] += y[5 * first + 1] * sin(y[5 * first] - y[5 * i] - return_phi);
         }
         dydt[5 * i + 1] = y[5 * i + 2];
         dydt[5 * i + 2] = a * (a / 4.0 * ((double)set->drive.amplitude[i] - y[5 * i + 1]) - y[5 * i + 2]);
@@ -99,8 +102,14 @@ static void compare(const struct set *set, const struct twd_cpg *cpg, const doub
 static struct worst run(const struct set *set, double tick_s)
 {
     struct twd_cpg cpg;
-    const twd_num rate = TWD_NUM(FILTER_RATE_PER_S);
-    assert_int_equal(twd_cpg_init(&cpg, set->topology, set->with_centre, (twd_num)tick_s, rate, rate), TWD_OK);
+    const struct twd_cpg_config config = {
+        .with_centre = set->with_centre,
+        .tick_s = (twd_num)tick_s,
+        .amplitude_rate_per_s = TWD_NUM(FILTER_RATE_PER_S),
+        .centre_rate_per_s = TWD_NUM(FILTER_RATE_PER_S),
+        .return_lag = set->return_lag,
+    };
+    assert_int_equal(twd_cpg_init(&cpg, set->topology, &config), TWD_OK);
     twd_cpg_start(&cpg, &set->drive, set->phase);
 
     double y[5 * TWD_MAX_OSCILLATORS] = {0.0};
@@ -136,8 +145,9 @@ static struct worst run_all(double tick_s)
         const struct set set = random_set(&random, k);
         const struct worst one = run(&set, tick_s);
         if (!(one.phase_rad <= PHASE_TOLERANCE_RAD(tick_s)) || !(one.output <= OUTPUT_TOLERANCE(tick_s))) {
-            print_error("set %d (%s, %s centre): phase %g rad, output %g\n", k, set.topology->name,
-                        set.with_centre ? "with" : "without", one.phase_rad, one.output);
+            print_error("set %d (%s, %s centre, %s return lag): phase %g rad, output %g\n", k, set.topology->name,
+                        set.with_centre ? "with" : "without",
+                        set.return_lag == TWD_RETURN_LAG_EQUAL ? "equal" : "negated", one.phase_rad, one.output);
             failed++;
         }
         all.phase_rad = fmax(all.phase_rad, one.phase_rad);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <sstream>
 #include <type_traits>
@@ -91,6 +92,11 @@ TEST(setup, shared_settings_have_their_values)
     EXPECT_NEAR(s.physics.gravity_direction[2], std::sin(M_PI / 12), 1e-15);
     EXPECT_EQ(s.object.cube_size, sim::CubeSize::whole_diagonal);
     EXPECT_EQ(s.oscillators.phase_start, sim::PhaseStart::desired_lag);
+    EXPECT_EQ(s.oscillators.centre_start, sim::CentreStart::hand);
+    EXPECT_EQ(s.oscillators.return_lag, sim::ReturnLag::negated);
+    EXPECT_EQ(s.oscillators.saturation, sim::Saturation::sum);
+    EXPECT_EQ(s.learner.learned_value, sim::LearnedValue::clipped);
+    EXPECT_EQ(s.learner.selector_noise, sim::SelectorNoise::as_experts);
     EXPECT_FALSE(s.physics.index_thumb_contact);
     EXPECT_EQ(s.hand.pd_law, sim::PdLaw::plain);
     EXPECT_EQ(s.learner.actor_rate, 0.1);
@@ -167,9 +173,15 @@ TEST(setup, travels_through_json)
 // Another value that a setting takes than `value`, which it has.
 nlohmann::json other_value(const nlohmann::json &value)
 {
-    if (value == "whole-diagonal") return "half-diagonal";
-    if (value == "desired-lag") return "zero";
-    if (value == "plain") return "stable";
+    static const std::map<std::string, std::string> other_word = {{"whole-diagonal", "half-diagonal"},
+                                                                  {"desired-lag", "zero"},
+                                                                  {"plain", "stable"},
+                                                                  {"hand", "target"},
+                                                                  {"negated", "equal"},
+                                                                  {"sum", "each"},
+                                                                  {"clipped", "unclipped"},
+                                                                  {"as-experts", "none"}};
+    if (value.is_string()) return other_word.at(value.get<std::string>());
     if (value.is_boolean()) return !value.get<bool>();
     if (value.is_array()) return {0, 1, 0};
     if (value == -1) return 1;
@@ -262,6 +274,7 @@ TEST(setup, a_wrong_override_is_refused_in_one_sentence_that_names_it)
         {"physics.substeps", "99999999999", "[physics] substeps"},
         {"object.counted_direction", "0", "1 or -1"},
         {"object.cube_size", "diagonal", "\"whole-diagonal\" or \"half-diagonal\""},
+        {"oscillators.centre_start", "one", "\"hand\" or \"zero\" or \"target\""},
         {"contact.index_thumb_contact", "1", "true or false"},
         {"hand.stiffness_nm_per_rad", "0.2", "{ fei, aai, fet, ot }"},
         {"hand.stiffness_nm_per_rad", "{ fei = 0.2, aai = 0.2, fet = 0.2 }", "{ fei, aai, fet, ot }"},

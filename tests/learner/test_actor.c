@@ -42,7 +42,7 @@ static void weight_updates_equal_the_equation_term_by_term(void **state)
     (void)state;
     twd_actor_activate(&actor, input);
     for (int j = 0; j < 2; j++)
-        actor.explored[j] = TWD_NUM(explored[j]);
+        actor.learned_value[j] = TWD_NUM(explored[j]);
     twd_actor_learn(&actor, input, TWD_NUM(0.1), TWD_NUM(1.5));
     for (int j = 0; j < 2; j++) {
         const double y = 1.0 / (1.0 + exp(-activation[j]));
@@ -59,7 +59,7 @@ static void weight_updates_equal_the_worked_example(void **state)
     struct twd_actor actor = small_layer();
     (void)state;
     twd_actor_activate(&actor, input);
-    actor.explored[0] = TWD_NUM(0.6);
+    actor.learned_value[0] = TWD_NUM(0.6);
     twd_actor_learn(&actor, input, TWD_NUM(0.1), TWD_NUM(1.5));
     assert_close(actor.weight[0][0], 0.5 + 0.0078418, 1e-6);
     assert_close(actor.weight[0][1], -0.25 + 0.0156836, 1e-6);
@@ -69,13 +69,14 @@ static void weight_updates_equal_the_worked_example(void **state)
 /* Exploration adds one draw a unit, in order, from [-h, h): the draws are repeated here from a copy of the generator. */
 static void exploration_adds_one_draw_a_unit_in_order(void **state)
 {
+    const struct twd_exploration exploration = {.half_range = TWD_NUM(0.25), .clip = TWD_NUM(0.001)};
     struct twd_actor actor = small_layer();
     struct twd_random random;
     (void)state;
     twd_random_seed(&random, 7);
     struct twd_random copy = random;
     twd_actor_activate(&actor, input);
-    twd_actor_explore(&actor, TWD_NUM(0.25), TWD_NUM(0.001), &random);
+    twd_actor_explore(&actor, &exploration, &random);
     for (int j = 0; j < 2; j++) {
         const double draw = 0.25 * ((double)(twd_random_next(&copy) >> 8) / 8388608.0 - 1.0);
         assert_close(actor.explored[j], (double)actor.output[j] + draw, 1e-7);
@@ -83,32 +84,71 @@ static void exploration_adds_one_draw_a_unit_in_order(void **state)
     assert_memory_equal(random.state, copy.state, sizeof copy.state);
 }
 
-/* Exploration that would leave [clip, 1 - clip] stops at its ends, and the update uses the stopped value: with weights for
- * y = 1 / (1 + e^-2) = 0.8807970780 and a draw beyond the end, dw = eta S (0.999 - y) y (1 - y) x. */
-static void clipped_value_acts_and_is_learned_from(void **state)
+/* Exploration that would leave [clip, 1 - clip] stops at its ends, and the update uses the stopped value, or the one asked for: with
+ * weights for y = 1 / (1 + e^-2) = 0.8807970780, dw = eta S (y^N - y) y (1 - y) x, where y^N is at most 0.999, or what the draw
+ * gives. */
+static void learned_value_is_clipped_or_not(enum twd_learned_value learned_value)
 {
+    const struct twd_exploration exploration = {
+        .half_range = TWD_NUM(0.5), .clip = TWD_NUM(0.001), .learned_value = learned_value};
     const twd_num one[] = {TWD_NUM(1)};
     const double y = 1.0 / (1.0 + exp(-2.0));
     int clipped = 0;
     struct twd_random random;
-    (void)state;
     twd_random_seed(&random, 3);
     for (int trial = 0; trial < 100; trial++) {
         struct twd_actor actor;
         assert_int_equal(twd_actor_init(&actor, 1, 1, TWD_NUM(0), &random), TWD_OK);
         actor.weight[0][0] = TWD_NUM(2);
         twd_actor_activate(&actor, one);
-        const struct twd_random copy = random;
-        twd_actor_explore(&actor, TWD_NUM(0.5), TWD_NUM(0.001), &random);
-        struct twd_random repeat = copy;
+        struct twd_random repeat = random;
+        twd_actor_explore(&actor, &exploration, &random);
         const double asked = y + 0.5 * ((double)(twd_random_next(&repeat) >> 8) / 8388608.0 - 1.0);
-        const double expected = asked > 0.999 ? 0.999 : asked;
+        const double acted = asked > 0.999 ? 0.999 : asked;
+        const double learned = learned_value == TWD_LEARN_FROM_CLIPPED ? acted : asked;
         clipped += asked > 0.999;
-        assert_close(actor.explored[0], expected, ROUNDING);
+        assert_close(actor.explored[0], acted, ROUNDING);
         twd_actor_learn(&actor, one, TWD_NUM(0.1), TWD_NUM(1));
-        assert_close(actor.weight[0][0], 2.0 + 0.1 * (expected - y) * y * (1.0 - y), ROUNDING);
+        assert_close(actor.weight[0][0], 2.0 + 0.1 * (learned - y) * y * (1.0 - y), ROUNDING);
     }
     assert_in_range(clipped, 20, 60); /* (0.5 - 0.118) of 1.0: about 38 of 100 */
+}
+
+static void clipped_value_acts_and_is_learned_from(void **state)
+{
+    (void)state;
+    learned_value_is_clipped_or_not(TWD_LEARN_FROM_CLIPPED);
+}
+
+static void clipped_value_acts_and_the_unclipped_is_learned_from(void **state)
+{
+    (void)state;
+    learned_value_is_clipped_or_not(TWD_LEARN_FROM_UNCLIPPED);
+}
+
+/* Silent units act on their outputs and keep their weights; the others draw and learn as without them. */
+static void silent_units_neither_explore_nor_learn(void **state)
+{
+    const struct twd_exploration all = {.half_range = TWD_NUM(0.25), .clip = TWD_NUM(0.001)};
+    struct twd_exploration first = all;
+    first.silent_units = 1;
+    struct twd_actor exploring = small_layer(), silent = small_layer();
+    const struct twd_actor before = silent;
+    struct twd_random random, copy;
+    (void)state;
+    twd_random_seed(&random, 9);
+    copy = random;
+    twd_actor_activate(&exploring, input);
+    twd_actor_explore(&exploring, &all, &random);
+    twd_actor_learn(&exploring, input, TWD_NUM(0.1), TWD_NUM(1.5));
+    twd_actor_activate(&silent, input);
+    twd_actor_explore(&silent, &first, &copy);
+    twd_actor_learn(&silent, input, TWD_NUM(0.1), TWD_NUM(1.5));
+    assert_memory_equal(copy.state, random.state, sizeof copy.state);
+    assert_close(silent.explored[0], (double)exploring.explored[0], 0.0);
+    assert_memory_equal(silent.weight[0], exploring.weight[0], sizeof silent.weight[0]);
+    assert_close(silent.explored[1], (double)silent.output[1], 0.0);
+    assert_memory_equal(silent.weight[1], before.weight[1], sizeof silent.weight[1]);
 }
 
 /* Initial weights lie in [-range, range), differ, and what no unit or input uses is 0. */
@@ -161,6 +201,8 @@ int main(void)
         cmocka_unit_test(weight_updates_equal_the_worked_example),
         cmocka_unit_test(exploration_adds_one_draw_a_unit_in_order),
         cmocka_unit_test(clipped_value_acts_and_is_learned_from),
+        cmocka_unit_test(clipped_value_acts_and_the_unclipped_is_learned_from),
+        cmocka_unit_test(silent_units_neither_explore_nor_learn),
         cmocka_unit_test(initial_weights_fill_their_range),
         cmocka_unit_test(init_errors_leave_layer_and_generator_as_they_were),
     };

@@ -258,10 +258,10 @@ static void selector_weights_sum_to_one(void **state)
 static void init_errors_leave_the_agent_as_it_was(void **state)
 {
     const struct twd_agent_config good = paper_config(5, 27, 81);
-    struct twd_agent_config wrong[12];
+    struct twd_agent_config wrong[14];
     struct twd_agent agent;
     (void)state;
-    for (size_t i = 0; i < 12; i++)
+    for (size_t i = 0; i < 14; i++)
         wrong[i] = good;
     wrong[0].units = 0;
     wrong[1].units = TWD_MAX_UNITS + 1;
@@ -275,10 +275,12 @@ static void init_errors_leave_the_agent_as_it_was(void **state)
     wrong[9].noise.end = TWD_NUM(-0.1);
     wrong[10].noise.decay_fraction = TWD_NUM(0);
     wrong[11].noise.trials = 0;
+    wrong[12].silent_units = 6;
+    wrong[13].learned_value = (enum twd_learned_value)2;
     assert_int_equal(twd_agent_init(&agent, &good), TWD_OK);
     struct twd_agent before;
     memcpy(&before, &agent, sizeof before);
-    for (size_t i = 0; i < 12; i++) {
+    for (size_t i = 0; i < 14; i++) {
         assert_int_equal(twd_agent_init(&agent, &wrong[i]), i < 4 ? TWD_ERROR_LEARNER_SIZE : TWD_ERROR_RANGE);
         assert_memory_equal(&agent, &before, sizeof before);
     }

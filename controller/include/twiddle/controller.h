@@ -40,14 +40,18 @@ enum twd_phase_start {
     TWD_PHASE_START_AT_ZERO = 1 /* all at 0; the couplings then pull them to their lags */
 };
 
+/* Where the joint outputs are saturated to [0, 1]; the paper does not say. The two differ where CPGs are mixed. */
+enum twd_saturation {
+    TWD_SATURATE_SUM = 0, /* the weighted sum of the CPGs' outputs, as it is remapped */
+    TWD_SATURATE_EACH = 1 /* each CPG's output, before it is weighted */
+};
+
 /* All that a controller needs to know. Copied by init, except for the const tables behind its pointers. */
 struct twd_controller_config {
     const struct twd_model *model;
-    bool with_centre;
-    twd_num tick_s;               /* (0, 0.1] s; the paper's is 0.01 */
-    twd_num amplitude_rate_per_s; /* a, 1/s */
-    twd_num centre_rate_per_s;    /* b, 1/s */
+    struct twd_cpg_config oscillators; /* of all CPGs; the paper's tick is 0.01 s */
     enum twd_phase_start phase_start;
+    enum twd_saturation saturation;
     struct twd_parameter_ranges ranges;
     uint8_t joints; /* as many as the model's topologies drive */
     struct twd_joint joint[TWD_MAX_JOINTS];
@@ -57,7 +61,8 @@ struct twd_controller_config {
 
 /* How often a value was saturated since init. Counters stop at their maximum. */
 struct twd_saturations {
-    uint32_t output; /* gated outputs outside [0, 1] */
+    uint32_t
+        output; /* outputs saturated to [0, 1]: of the joints, or of each CPG's oscillators (enum twd_saturation) */
     uint32_t torque; /* torques beyond the limit */
     uint32_t input;  /* joints given an angle or velocity that was not a number, or beyond 1e6; they got zero torque */
 };

@@ -1,8 +1,8 @@
 /* cpg.h: a central pattern generator, a network of coupled phase oscillators described by a const table.
  *
- * theta_i' = 2 pi nu + sum_j r_j w sin(theta_j - theta_i - phi_ij), w = 1 and phi_ji = -phi_ij
+ * theta_i' = 2 pi nu + sum_j r_j w sin(theta_j - theta_i - phi_ij), w = 1
  * (Ciancio et al. 2011, eqs. 9 and 12); amplitudes and centres: filter.h; one oscillator's output: oscillator.h.
- * A coupling acts both ways and costs one sine. The phase rate of a tick is extrapolated from this tick and the last
+ * A coupling acts both ways and, with phi_ji = -phi_ij, costs one sine. The phase rate of a tick is extrapolated from this tick and the last
  * (second-order Adams-Bashforth). A new network is a new `const struct twd_topology`, no code. */
 #ifndef TWIDDLE_CPG_H
 #define TWIDDLE_CPG_H
@@ -17,7 +17,8 @@
 extern "C" {
 #endif
 
-/* One coupling. Its parameter phi is the phase by which `second` leads `first` when the network has settled. */
+/* One coupling. Its parameter phi is phi_ij of `first` i and `second` j: with phi_ji = -phi_ij, the phase by which `second`
+ * leads `first` when the network has settled. */
 struct twd_coupling {
     uint8_t first;  /* oscillator, from 0 */
     uint8_t second; /* another oscillator */
@@ -40,6 +41,29 @@ extern const struct twd_topology twd_cpg_c; /* 4 oscillators, one a joint; coupl
 extern const struct twd_topology twd_cpg_m; /* 2 oscillators: FEI and FET, AAI and OT; coupling 1-2 */
 extern const struct twd_topology twd_cpg_s; /* 1 oscillator for all four joints */
 
+/* phi_ji, the lag with which a coupling's second oscillator is pulled by its first; the paper does not say. */
+enum twd_return_lag {
+    TWD_RETURN_LAG_NEGATED = 0, /* -phi_ij: both ends ask for the same difference */
+    TWD_RETURN_LAG_EQUAL = 1 /* +phi_ij: equal oscillators settle at a difference of 0 or half a turn, whatever phi */
+};
+
+/* Where the centres c start a trial; the paper does not say. */
+enum twd_centre_start {
+    TWD_CENTRE_START_AT_TOPOLOGY = 0, /* at the topology's initial_centre, where the hand starts */
+    TWD_CENTRE_START_AT_ZERO = 1,     /* at the lower end of each joint's range */
+    TWD_CENTRE_START_AT_TARGET = 2    /* at C: the centre is constant through the trial */
+};
+
+/* What a network is made with, beside its structure. */
+struct twd_cpg_config {
+    bool with_centre;             /* output equation: oscillator.h */
+    twd_num tick_s;               /* (0, 0.1] s */
+    twd_num amplitude_rate_per_s; /* a, 1/s; above 0, its product with the tick at most 32 */
+    twd_num centre_rate_per_s;    /* b, 1/s; the same range */
+    enum twd_return_lag return_lag;
+    enum twd_centre_start centre_start;
+};
+
 /* What drives a network through one trial, in physical units. */
 struct twd_cpg_drive {
     twd_num frequency_hz;                   /* nu, of every oscillator */
@@ -51,8 +75,7 @@ struct twd_cpg_drive {
 /* A running network. All fields are private to the module but may be read. */
 struct twd_cpg {
     const struct twd_topology *topology;
-    bool with_centre;                                      /* output equation: oscillator.h */
-    twd_num tick_s;                                        /* s */
+    struct twd_cpg_config config;
     struct twd_filter_step amplitude_step;                 /* a's transition */
     struct twd_filter_step centre_step;                    /* b's transition */
     twd_phase intrinsic_advance;                           /* turns a tick, from nu */
@@ -61,12 +84,12 @@ struct twd_cpg {
     twd_num last_pull[TWD_MAX_OSCILLATORS];                /* coupling sum of the last tick, rad/s */
 };
 
-/* Make `cpg` a network of `topology`. `amplitude_rate_per_s` and `centre_rate_per_s` are the paper's a and b.
- * Errors: a topology that does not hold together, a tick or rate outside its range. */
-enum twd_error twd_cpg_init(struct twd_cpg *cpg, const struct twd_topology *topology, bool with_centre, twd_num tick_s,
-                            twd_num amplitude_rate_per_s, twd_num centre_rate_per_s);
+/* Make `cpg` a network of `topology`; copies `config`. Errors: a topology that does not hold together, a field outside its
+ * range. */
+enum twd_error twd_cpg_init(struct twd_cpg *cpg, const struct twd_topology *topology,
+                            const struct twd_cpg_config *config);
 
-/* Start a trial: amplitudes and velocities 0, centres at the topology's, phases as given ([oscillators], turns). */
+/* Start a trial: amplitudes and velocities 0, centres as centre_start says, phases as given ([oscillators], turns). */
 void twd_cpg_start(struct twd_cpg *cpg, const struct twd_cpg_drive *drive, const twd_phase *initial_phase);
 
 /* The phases at which every oscillator already has its desired lag: the first at 0, then along the couplings in the

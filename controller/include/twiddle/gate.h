@@ -1,7 +1,7 @@
 /* gate.h: the selector's mixture of several CPGs, and its map onto the joints.
  *
  * out = s_1 O_C + s_2 O_M + s_3 O_S with s_k = y_k / sum(y) (Ciancio et al. 2011, eqs. 4 and 5); the sum is then
- * saturated to [0, 1] and remapped onto each joint's range, in this order. */
+ * saturated to [0, 1] and remapped onto each joint's range, in this order. controller.h can saturate each output too. */
 #ifndef TWIDDLE_GATE_H
 #define TWIDDLE_GATE_H
 

@@ -35,6 +35,8 @@ struct twd_agent_config {
     twd_num weight_range; /* initial actor weights are uniform in +- this, [0, 1] */
     twd_num clip;         /* explored values stay in [clip, 1 - clip]; [0, 0.5) */
     struct twd_noise_schedule noise;
+    size_t silent_units; /* so many units, the last ones, act without noise and so do not learn; 0..units */
+    enum twd_learned_value learned_value;
     uint64_t seed;
 };
 

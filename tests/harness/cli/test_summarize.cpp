@@ -268,6 +268,44 @@ TEST(Summarize, variants_and_objects_have_rows_of_their_own)
     EXPECT_EQ(rows_of(folder.path() / "table2.csv").size(), 3U);
 }
 
+// A sweep with variants gets their table too, with what each changes; one without has none.
+TEST(Summarize, variants_have_a_table_beside_the_base)
+{
+    const ScratchFolder folder;
+    write_sweep(folder, 4, {{"", "small-cube", "cpg-h", true, {3, 5}}, {"soft", "small-cube", "cpg-h", true, {5, 6}}});
+    Json sweep = twiddle::record::read_json(folder.path() / "sweep.json");
+    sweep["variants"] = {{"soft", {{"contact.friction", 0.25}, {"oscillators.phase_start", "zero"}}}};
+    folder.write("sweep.json", sweep.dump());
+    ASSERT_EQ(summarize(folder).status, 0);
+    const std::vector<Row> rows = rows_of(folder.path() / "choices.csv");
+    ASSERT_EQ(rows.size(), 1U);
+    expect_texts(rows[0], {{"variant", "soft"}, {"model", "cpg-h"}, {"objects", "1"}, {"same_runs", "false"}});
+    expect_numbers(rows[0], {{"mean_rad", 5.5}, {"base_mean_rad", 4}, {"difference_rad", 1.5}});
+    const std::string markdown = text_of(folder.path() / "choices.md");
+    EXPECT_NE(markdown.find("| soft | `contact.friction = 0.25, oscillators.phase_start = \"zero\"` | 5.50 (+1.50, "),
+              std::string::npos)
+        << markdown;
+
+    const ScratchFolder plain;
+    write_sweep(plain, 4, tiny);
+    ASSERT_EQ(summarize(plain).status, 0);
+    EXPECT_FALSE(fs::exists(plain.path() / "choices.csv"));
+}
+
+// Tables that cannot be written leave those of before as they were. 1 block is less than any of them.
+TEST(Summarize, full_disk_leaves_the_old_tables)
+{
+    const ScratchFolder folder;
+    write_sweep(folder, 4, tiny);
+    ASSERT_EQ(summarize(folder).status, 0);
+    const std::string before = text_of(folder.path() / "table1.csv");
+    const Outcome outcome = run_twiddle_on_full_disk("summarize " + folder.path().string(), 1);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(is_one_complaint(outcome.error)) << outcome.error;
+    EXPECT_NE(outcome.error.find("table1.csv.part': File too large"), std::string::npos) << outcome.error;
+    EXPECT_EQ(text_of(folder.path() / "table1.csv"), before);
+}
+
 // Runs that are missing, still running or without trials.csv are counted, and the first five are named.
 TEST(Summarize, incomplete_sweep_is_refused)
 {

@@ -33,12 +33,45 @@ TEST(ControllerSetup, settings_reach_their_joints)
         EXPECT_NEAR(joint.pd.damping_nms_per_rad, expected[i][3], 1e-9) << i;
         EXPECT_NEAR(joint.pd.torque_limit_nm, 1, 1e-7) << i;
     }
-    EXPECT_NEAR(config.tick_s, 0.01, 1e-9);
+    EXPECT_NEAR(config.oscillators.tick_s, 0.01, 1e-9);
     EXPECT_NEAR(config.ranges.frequency_upper_hz, 1, 1e-7);
     EXPECT_NEAR(config.ranges.lone_frequency_hz, 0.84, 1e-7);
     EXPECT_EQ(config.phase_start, TWD_PHASE_START_AT_LAG);
     twd_controller controller;
     EXPECT_EQ(twd_controller_init(&controller, &config), TWD_OK);
+}
+
+// What the paper leaves open reaches the library: each default, and each other value by its word.
+TEST(ControllerSetup, open_choices_reach_the_library)
+{
+    const twd_controller_config plain = controller_config(mid_a(), find_model("cpg-h"), true);
+    EXPECT_EQ(plain.oscillators.return_lag, TWD_RETURN_LAG_NEGATED);
+    EXPECT_EQ(plain.oscillators.centre_start, TWD_CENTRE_START_AT_TOPOLOGY);
+    EXPECT_EQ(plain.saturation, TWD_SATURATE_SUM);
+    const auto changed = [](const char *setting, const char *value) {
+        const sim::Setup setup = sim::load_setup(TWIDDLE_MODELS, "mid-a", {{setting, value}});
+        return controller_config(setup, find_model("cpg-h"), true);
+    };
+    EXPECT_EQ(changed("oscillators.return_lag", "equal").oscillators.return_lag, TWD_RETURN_LAG_EQUAL);
+    EXPECT_EQ(changed("oscillators.centre_start", "zero").oscillators.centre_start, TWD_CENTRE_START_AT_ZERO);
+    EXPECT_EQ(changed("oscillators.centre_start", "target").oscillators.centre_start, TWD_CENTRE_START_AT_TARGET);
+    EXPECT_EQ(changed("oscillators.phase_start", "zero").phase_start, TWD_PHASE_START_AT_ZERO);
+    EXPECT_EQ(changed("oscillators.saturation", "each").saturation, TWD_SATURATE_EACH);
+}
+
+// Without noise on the selector, its three units are silent; a model without selector has none.
+TEST(ControllerSetup, open_choices_reach_the_learner)
+{
+    const sim::LearnerSetup plain = mid_a().learner;
+    EXPECT_EQ(agent_config(plain, find_model("cpg-h"), true, 10, 1).silent_units, 0U);
+    EXPECT_EQ(agent_config(plain, find_model("cpg-h"), true, 10, 1).learned_value, TWD_LEARN_FROM_CLIPPED);
+    const sim::LearnerSetup changed =
+        sim::load_setup(TWIDDLE_MODELS, "mid-a",
+                        {{"learner.selector_noise", "none"}, {"learner.learned_value", "unclipped"}})
+            .learner;
+    EXPECT_EQ(agent_config(changed, find_model("cpg-h"), true, 10, 1).silent_units, 3U);
+    EXPECT_EQ(agent_config(changed, find_model("cpg-c"), true, 10, 1).silent_units, 0U);
+    EXPECT_EQ(agent_config(changed, find_model("cpg-h"), true, 10, 1).learned_value, TWD_LEARN_FROM_UNCLIPPED);
 }
 
 // The stable PD law is told each joint's inertia and the substep, and leaves ranges and limit alone. Expected: Kp / D and

@@ -92,6 +92,46 @@ TEST(Statistics, bootstrap_of_equal_values_has_no_width)
     EXPECT_EQ(interval.upper, 2);
 }
 
+// Of n cells with 0 and 4 changed and 0 and 0 before, each cell's resampled difference is 0, 2 or 4 with 1/4, 1/2, 1/4. Expected, by
+// hand: for one and two cells the ends have more than 2.5 % each, (1/4)^n, and are the interval's; for three they have 1.6 %, and the next
+// values, 2/3 from the ends, have 11 % with them.
+TEST(Statistics, bootstrap_of_differences_is_that_of_all_resamples)
+{
+    const std::vector<Values> expected = {{0, 4}, {0, 4}, {2.0 / 3, 10.0 / 3}};
+    for (std::size_t cells = 1; cells <= expected.size(); ++cells) {
+        const std::vector<CellChange> risen(cells, {{0, 4}, {0, 0}});
+        const std::vector<CellChange> fallen(cells, {{0, 0}, {0, 4}});
+        EXPECT_EQ(mean_difference(risen), 2);
+        EXPECT_EQ(mean_difference(fallen), -2);
+        const Interval up = bootstrap_interval_of_mean_difference(risen);
+        EXPECT_NEAR(up.lower, expected[cells - 1][0], 1e-12) << cells;
+        EXPECT_NEAR(up.upper, expected[cells - 1][1], 1e-12) << cells;
+        const Interval down = bootstrap_interval_of_mean_difference(fallen);
+        EXPECT_NEAR(down.lower, -expected[cells - 1][1], 1e-12) << cells;
+        EXPECT_NEAR(down.upper, -expected[cells - 1][0], 1e-12) << cells;
+    }
+    EXPECT_EQ(mean_difference({{{1, 3}, {0}}, {{5}, {4, 8}}}), 0.5); // (2 - 1) / 2
+}
+
+// Of large normal samples, the interval is the normal theory's. Expected: the difference +- 1.96 standard errors, of which one end is
+// known to 0.027 and 0.11 is allowed, as above; the cells' errors add in squares.
+TEST(Statistics, bootstrap_of_large_differences_is_the_normal_theorys)
+{
+    const std::vector<CellChange> cells = {{normal_values(500, 3, 1.5, 7), normal_values(700, 2, 1, 8)},
+                                           {normal_values(600, 9, 2.5, 9), normal_values(400, 9, 3, 10)}};
+    double variance = 0;
+    for (const CellChange &cell : cells) {
+        for (const Values &values : {cell.changed, cell.base}) {
+            variance += gsl_stats_variance(values.data(), 1, values.size()) / static_cast<double>(values.size()) / 4;
+        }
+    }
+    const double error = std::sqrt(variance);
+    const double half = gsl_cdf_ugaussian_Pinv(0.975) * error;
+    const Interval interval = bootstrap_interval_of_mean_difference(cells);
+    EXPECT_NEAR(interval.lower, mean_difference(cells) - half, 0.11 * error);
+    EXPECT_NEAR(interval.upper, mean_difference(cells) + half, 0.11 * error);
+}
+
 // Holm's correction. Expected, by hand: 4 x 0.005, 3 x 0.01, 2 x 0.03, and 0.06 again for 0.04; never above 1.
 TEST(Statistics, holm_is_the_step_down_by_hand)
 {

@@ -54,17 +54,18 @@ std::set<std::string> folders_of(const SweepPlan &plan)
 const std::string one_block = "trials = 10\n[[runs]]\nobjects = [\"small-cube\"]\nmodels = [\"cpg-c\"]\nseeds = 1\n";
 
 // Expected: the counts, by multiplication: 9 objects x (4 models + CPG-H without centre) x 4 seeds; 9 x 4 x 2 x 20;
-// 2 objects x (2 models + CPG-H without centre) x 2 seeds.
+// 2 objects x (2 models + CPG-H without centre) x 2 seeds; 3 objects x 2 models x 5 seeds x (1 + 20 variants). None forces a set-up.
 TEST(SweepManifest, files_of_the_repository_have_their_counts)
 {
     const std::vector<std::tuple<std::string, std::size_t, std::uint32_t>> expected = {
-        {"paper", 180, 5000}, {"full", 1440, 5000}, {"smoke", 12, 300}};
+        {"paper", 180, 5000}, {"full", 1440, 5000}, {"smoke", 12, 300}, {"choices", 630, 5000}};
     for (const auto &[name, runs, trials] : expected) {
         const SweepPlan plan = plan_of(name);
         EXPECT_EQ(plan.name, name);
         EXPECT_EQ(plan.runs.size(), runs) << name;
         EXPECT_EQ(folders_of(plan).size(), runs) << name;
         EXPECT_EQ(plan.common.trials, trials) << name;
+        EXPECT_EQ(plan.common.setup, some_defaults().setup) << name;
     }
     const std::set<std::string> folders = folders_of(plan_of("paper"));
     EXPECT_EQ(folders.count("small-sphere/cpg-h/seed-1"), 1U);
@@ -116,6 +117,23 @@ TEST(SweepManifest, settings_are_those_of_the_set_up_and_the_variant)
     const auto changed =
         twiddle::sim::load_setup(models, "near", {{"contact.friction", "0.25"}, {"oscillators.phase_start", "zero"}});
     EXPECT_EQ(told.runs[4].specification.settings, changed.settings);
+}
+
+// A set-up that is chosen for the whole sweep takes the place of the manifest's, and the variants are set over it.
+TEST(SweepManifest, chosen_set_up_takes_the_manifests_place)
+{
+    const ScratchFolder folder;
+    const auto path = folder.write("mine.toml", "setup = \"mid-a\"\n" + one_block +
+                                                    "[[runs]]\nobjects = [\"small-cube\"]\nmodels = [\"cpg-c\"]\n"
+                                                    "seeds = 1\nvariant = \"soft\"\n"
+                                                    "set = { \"contact.friction\" = 0.25 }\n");
+    const SweepPlan plan = read_sweep_manifest(path, models, some_defaults(), "near");
+    EXPECT_EQ(plan.common.setup, "near");
+    EXPECT_EQ(plan.runs.at(0).specification.settings, twiddle::sim::load_setup(models, "near").settings);
+    EXPECT_EQ(plan.runs.at(1).specification.settings,
+              twiddle::sim::load_setup(models, "near", {{"contact.friction", "0.25"}}).settings);
+    const std::string error = error_of([&] { read_sweep_manifest(path, models, some_defaults(), "nowhere"); });
+    EXPECT_TRUE(is_one_sentence_with(error, {"there is no set-up \"nowhere\"", "near"})) << error;
 }
 
 // A set-up of one's own lies beside the manifest, wherever the program is started.

@@ -17,10 +17,10 @@ static struct twd_controller_config config_of_wings(void)
     struct twd_controller_config config;
     memset(&config, 0, sizeof config);
     config.model = &model;
-    config.with_centre = true;
-    config.tick_s = TWD_NUM(0.01);
-    config.amplitude_rate_per_s = TWD_NUM(20);
-    config.centre_rate_per_s = TWD_NUM(20);
+    config.oscillators.with_centre = true;
+    config.oscillators.tick_s = TWD_NUM(0.01);
+    config.oscillators.amplitude_rate_per_s = TWD_NUM(20);
+    config.oscillators.centre_rate_per_s = TWD_NUM(20);
     config.ranges.frequency_lower_hz = TWD_NUM(0.5);
     config.ranges.frequency_upper_hz = TWD_NUM(1.5);
     config.ranges.lone_frequency_hz = TWD_NUM(1);
