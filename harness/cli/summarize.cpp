@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "errors.hpp"
+#include "experiment/claims_text.hpp"
 #include "experiment/sweep_tables_text.hpp"
 #include "record/part_file.hpp"
 
@@ -40,9 +41,13 @@ int summarize(const SummarizeOptions &options)
     const std::vector<experiment::Cell> cells = experiment::read_cells(folder, sweep);
     const experiment::SweepTables tables = {experiment::centre_table(cells, paper),
                                             experiment::model_table(cells, paper)};
+    const std::vector<experiment::ClaimResult> claims =
+        experiment::test_claims(experiment::read_run_grid(folder, sweep, paper), paper);
     write_text(folder / "table1.csv", experiment::table1_csv(sweep, tables));
     write_text(folder / "table2.csv", experiment::table2_csv(sweep, tables));
     write_text(folder / "tables.md", experiment::tables_markdown(sweep, tables));
+    write_text(folder / "claims.csv", experiment::claims_csv(sweep, claims));
+    write_text(folder / "claims.md", experiment::claims_markdown(sweep, claims));
     return 0;
 }
 
@@ -50,8 +55,9 @@ int summarize(const SummarizeOptions &options)
 
 void add_summarize(CLI::App &app, Session &session)
 {
-    CLI::App *command = app.add_subcommand(
-        "summarize", "Make the paper's tables of a complete sweep; writes table1.csv, table2.csv, tables.md");
+    CLI::App *command =
+        app.add_subcommand("summarize", "Make the paper's tables of a complete sweep and test its claims; writes "
+                                        "table1.csv, table2.csv, tables.md, claims.csv, claims.md");
     const auto options = std::make_shared<SummarizeOptions>();
     command->add_option("DIR", options->sweep_dir, "Folder of the sweep, with sweep.json")->required()->type_name("");
     command->add_option("--paper", options->paper_dir, "Folder of the paper's tables as CSV")->type_name("DIR");

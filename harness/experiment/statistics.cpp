@@ -28,15 +28,6 @@ double mean_of_resample(const std::vector<double> &values, std::mt19937_64 &gene
     return sum / static_cast<double>(values.size());
 }
 
-// Between two values of the sorted list, on the straight line.
-double quantile(const std::vector<double> &sorted, double share)
-{
-    const double place = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 } // namespace
 
 double mean(const std::vector<double> &values)
@@ -49,13 +40,21 @@ double standard_deviation(const std::vector<double> &values)
     return std::sqrt(boost::math::statistics::sample_variance(values));
 }
 
+double quantile_of_sorted(const std::vector<double> &sorted, double share)
+{
+    const double place = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
 Interval bootstrap_interval_of_mean(const std::vector<double> &values)
 {
     std::mt19937_64 generator(bootstrap_seed); // anew for every group, so that none depends on the others
     std::vector<double> means(bootstrap_resamples);
     std::generate(means.begin(), means.end(), [&] { return mean_of_resample(values, generator); });
     std::sort(means.begin(), means.end());
-    return {quantile(means, tail), quantile(means, 1 - tail)};
+    return {quantile_of_sorted(means, tail), quantile_of_sorted(means, 1 - tail)};
 }
 
 std::vector<double> holm_corrected(const std::vector<double> &p_values)

@@ -15,6 +15,9 @@ double mean(const std::vector<double> &values);
 // Of a sample, with n - 1; at least two values.
 double standard_deviation(const std::vector<double> &values);
 
+// The value below which `share`, 0 to 1, of the sorted values lies, on the straight line between two of them. At least one value.
+double quantile_of_sorted(const std::vector<double> &sorted, double share);
+
 struct Interval {
     double lower = 0;
     double upper = 0;

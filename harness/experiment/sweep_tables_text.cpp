@@ -1,21 +1,16 @@
 #include "sweep_tables_text.hpp"
 
 #include "mann_whitney.hpp"
-#include "record/number_text.hpp"
 #include "record/versions.hpp"
+#include "table_text.hpp"
 
 #include <algorithm>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
 namespace twiddle::experiment
 {
 
 namespace
 {
-
-using Texts = std::vector<std::string>;
 
 const Texts cell_columns = {"variant",  "object", "model",    "centre",    "runs",
                             "mean_rad", "sd_rad", "best_rad", "lower_rad", "upper_rad"};
@@ -41,43 +36,6 @@ std::string last_trials_text(const Sweep &sweep)
     return "over the last " + std::to_string(last_trials(sweep)) + " of " + trials + " trials";
 }
 
-std::string rotation_text(const Sweep &sweep)
-{
-    return "a run counts with its mean rotation in rad " + last_trials_text(sweep);
-}
-
-std::string origin_text(const Sweep &sweep)
-{
-    return "sweep " + sweep.name + " of " + sweep.version + ", summarized by " + record::version_line();
-}
-
-std::string csv_line(const Texts &cells)
-{
-    std::string line;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        line += (i > 0 ? "," : "") + cells[i];
-    }
-    return line + "\n";
-}
-
-std::string csv_text(const Texts &comments, const Texts &columns, const std::vector<Texts> &rows)
-{
-    std::string text;
-    for (const std::string &comment : comments) {
-        text += "# " + comment + "\n";
-    }
-    text += csv_line(columns);
-    for (const Texts &row : rows) {
-        text += csv_line(row);
-    }
-    return text;
-}
-
-std::string full(const std::optional<double> &value)
-{
-    return value ? record::number_text(*value) : "";
-}
-
 std::string truth(bool value)
 {
     return value ? "true" : "false";
@@ -98,36 +56,15 @@ Texts csv_cells(const CellSummary &cell)
             interval ? full(interval->upper) : ""};
 }
 
-std::string fixed(double value, int digits)
-{
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::fixed << std::setprecision(digits) << value;
-    return text.str();
-}
-
 std::string p_text(double p)
 {
     return p < 0.0001 ? "< 0.0001" : fixed(p, 4);
 }
 
-std::string markdown_row(const Texts &cells)
+// A table, or a sentence where the sweep has nothing for it.
+std::string table_or_sentence(const Texts &columns, const std::vector<Texts> &rows)
 {
-    std::string row = "|";
-    for (const std::string &cell : cells) {
-        row += " " + cell + " |";
-    }
-    return row + "\n";
-}
-
-std::string markdown_table(const Texts &columns, const std::vector<Texts> &rows)
-{
-    if (rows.empty()) return "The sweep has no runs of this table.\n";
-    std::string text = markdown_row(columns) + markdown_row(Texts(columns.size(), "---"));
-    for (const Texts &row : rows) {
-        text += markdown_row(row);
-    }
-    return text;
+    return rows.empty() ? "The sweep has no runs of this table.\n" : markdown_table(columns, rows);
 }
 
 const Texts markdown_cell_columns = {"variant",       "object", "model", "rotation (rad): mean ± sd (best)",
@@ -172,7 +109,7 @@ std::string table1_markdown(const SweepTables &tables)
         rows.push_back(joined(markdown_cells(row.cell),
                               {row.p ? p_text(*row.p) : "-", row.paper_reward.empty() ? "-" : row.paper_reward}));
     }
-    return markdown_table(joined(markdown_cell_columns, {"p, with against without", "paper's reward"}), rows);
+    return table_or_sentence(joined(markdown_cell_columns, {"p, with against without", "paper's reward"}), rows);
 }
 
 std::string table2_markdown(const SweepTables &tables)
@@ -181,8 +118,8 @@ std::string table2_markdown(const SweepTables &tables)
     for (const ModelRow &row : tables.models) {
         rows.push_back(joined(markdown_cells(row.cell), {comparison_text(row), paper_text(row.paper)}));
     }
-    return markdown_table(joined(markdown_cell_columns, {"p against the winner (uncorrected)", "paper's reward"}),
-                          rows);
+    return table_or_sentence(joined(markdown_cell_columns, {"p against the winner (uncorrected)", "paper's reward"}),
+                             rows);
 }
 
 // How small a corrected p can be: with few runs, no difference however large is significant.
@@ -220,6 +157,16 @@ std::string definitions(const Sweep &sweep, const SweepTables &tables)
 }
 
 } // namespace
+
+std::string rotation_text(const Sweep &sweep)
+{
+    return "a run counts with its mean rotation in rad " + last_trials_text(sweep);
+}
+
+std::string origin_text(const Sweep &sweep)
+{
+    return "sweep " + sweep.name + " of " + sweep.version + ", summarized by " + record::version_line();
+}
 
 std::string table1_csv(const Sweep &sweep, const SweepTables &tables)
 {

@@ -14,6 +14,10 @@ struct SweepTables {
     std::vector<ModelRow> models;  // Table 2
 };
 
+// Which rotation counts of a run, and which programs made the runs and the tables: said in every text about a sweep.
+std::string rotation_text(const Sweep &sweep);
+std::string origin_text(const Sweep &sweep);
+
 // The texts of table1.csv, table2.csv and tables.md.
 std::string table1_csv(const Sweep &sweep, const SweepTables &tables);
 std::string table2_csv(const Sweep &sweep, const SweepTables &tables);
