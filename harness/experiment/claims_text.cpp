@@ -119,9 +119,9 @@ std::string rules(const Sweep &sweep)
         "own interval is Student's. The best of a resample is never above the best run seen, so that 2b leans "
         "to what was seen.");
     lines.push_back(
-        "trials to 80 % (3a): the first trial at which the mean of the last 100 rotations (of shorter runs: the "
-        "last fiftieth of the run) reaches 80 % of the run's own final rotation; all trials for a run that "
-        "turned the object backwards.");
+        "trials to 80 % (3a): the first trial at which the mean of the last 100 rotations (of shorter runs: the last "
+        "fiftieth of the run) reaches 80 % of the run's own final rotation; all trials for a run that turned the "
+        "object backwards. A model that learns little reaches its own level soon; 3b asks for the level too.");
     lines.push_back(
         "8b is partly true by construction: lone CPG-M and CPG-S have no parameter for the frequency and take "
         "it from the set-up.");

@@ -56,7 +56,8 @@ class Contrast
     // Student's 97.5 % quantile with Welch and Satterthwaite's degrees of freedom (sum V_c)^2 / sum (V_c^2 / (n_c - 1)).
     // Why no percentile bootstrap: resampling four runs makes only 35 different samples, their variance is too small by (n - 1) / n
     // and normal quantiles take the place of t, so that it covers the mean of four normal values in 81 of 100 samples. For a cell's
-    // mean this interval is Student's, exact for normal values at any n; for a difference of two means it is Welch's.
+    // mean this interval is Student's, exact for normal values at any n; for a difference of two means it is Welch's. For the spread of four
+    // runs it is wide: it held the truth in 98 of 100 samples (test_contrast).
     std::optional<Interval> interval() const;
 
   private:
