@@ -8,25 +8,34 @@ namespace twiddle::experiment
 namespace
 {
 
-std::optional<double> paper_value(const ClaimPart &part, const PaperValues &paper)
+Estimate paper_estimate(const ClaimPart &part, const PaperValues &paper)
 {
     switch (part.paper) {
     case PaperTable::none:
-        return std::nullopt;
+        return {};
     case PaperTable::table1:
-        return part.estimate(grid_of_table1(paper)).value;
-    case PaperTable::table2:
-        return part.estimate(grid_of_table2(paper)).value;
-    case PaperTable::table2_best:
-        return part.estimate(grid_of_best(paper)).value;
+        return part.estimate(grid_of_table1(paper));
+    case PaperTable::table2_means:
+        return part.estimate(grid_of_table2(paper));
+    case PaperTable::table2_spreads: {
+        Estimate estimate = part.estimate(grid_of_table2(paper));
+        estimate.interval = std::nullopt;
+        return estimate;
     }
-    return std::nullopt;
+    case PaperTable::table2_best:
+        return part.estimate(grid_of_best(paper));
+    }
+    return {};
 }
 
 PartResult test_part(const ClaimPart &part, const RunGrid &grid, const PaperValues &paper)
 {
-    PartResult result{&part, part.estimate(grid), paper_value(part, paper), Verdict::not_measured};
+    PartResult result;
+    result.part = &part;
+    result.estimate = part.estimate(grid);
     result.verdict = verdict_of(result.estimate, part.bound, part.side);
+    result.paper = paper_estimate(part, paper);
+    result.paper_verdict = verdict_of(result.paper, part.bound, part.side);
     return result;
 }
 

@@ -20,8 +20,8 @@ enum class Verdict { supported, not_supported, undecided, not_measured };
 // "supported", "not supported", "undecided", "not measured".
 std::string verdict_name(Verdict verdict);
 
-// Which of the paper's numbers have the same measure; Fig. 5 to 8 print none.
-enum class PaperTable { none, table1, table2, table2_best };
+// Which of the paper's numbers have the same measure; Fig. 5 to 8 print none. Intervals can be had of table2_means alone.
+enum class PaperTable { none, table1, table2_means, table2_spreads, table2_best };
 
 // One part of a claim. Texts hold no commas, since they stand in claims.csv.
 struct ClaimPart {
@@ -45,8 +45,9 @@ const std::vector<std::string> &claims_in_words();
 struct PartResult {
     const ClaimPart *part = nullptr;
     Estimate estimate;
-    std::optional<double> paper_value; // of the same measure, from the paper's tables
     Verdict verdict = Verdict::not_measured;
+    Estimate paper; // the same measure on the paper's tables; without value where they do not have it
+    Verdict paper_verdict = Verdict::not_measured; // on that, by the same rule
 };
 
 struct ClaimResult {

@@ -19,6 +19,7 @@ Texts csv_row(const ClaimResult &claim, const PartResult &result)
     const ClaimPart &part = *result.part;
     const Estimate &estimate = result.estimate;
     const std::optional<Interval> &interval = estimate.interval;
+    const std::optional<Interval> &paper_interval = result.paper.interval;
     return {std::to_string(part.claim),
             part.part,
             part.words,
@@ -29,7 +30,9 @@ Texts csv_row(const ClaimResult &claim, const PartResult &result)
             interval ? full(interval->upper) : "",
             side_text(part.side),
             full(part.bound),
-            full(result.paper_value),
+            full(result.paper.value),
+            paper_interval ? full(paper_interval->lower) : "",
+            paper_interval ? full(paper_interval->upper) : "",
             std::to_string(estimate.objects),
             std::to_string(estimate.runs),
             verdict_name(result.verdict),
@@ -60,7 +63,8 @@ std::string parts_table(const std::vector<ClaimResult> &claims)
             const ClaimPart &part = *result.part;
             rows.push_back({part.part, part.words, value_text(result.estimate.value, result.estimate.interval),
                             std::string(side_text(part.side)) + " " + fixed(part.bound, 3) + " " + part.unit,
-                            result.paper_value ? fixed(*result.paper_value, 3) : "-",
+                            value_text(result.paper.value, result.paper.interval) +
+                                (result.paper.interval ? " " + verdict_name(result.paper_verdict) : ""),
                             std::to_string(result.estimate.runs) + " (" + std::to_string(result.estimate.objects) + ")",
                             verdict_name(result.verdict)});
         }
@@ -125,9 +129,9 @@ std::string rules(const Sweep &sweep)
     lines.push_back(
         "8b is partly true by construction: lone CPG-M and CPG-S have no parameter for the frequency and take "
         "it from the set-up.");
-    lines.push_back(
-        "the paper's: the same measure on the values of its tables, whose unit is not stated; - where it prints "
-        "no numbers.");
+    lines.push_back("the paper's: the same measure on the values of its tables, whose unit is not stated; - where it "
+                    "prints no numbers. Where Table 2's mean and sd are enough, also its interval and the verdict on "
+                    "the paper's own runs by the same rule, taking the sd for that of four runs, as it states.");
     std::string text;
     for (const std::string &line : lines) {
         text += "- " + line + "\n";
@@ -154,10 +158,11 @@ std::string claims_csv(const Sweep &sweep, const std::vector<ClaimResult> &claim
     }
     return csv_text({"the paper's claims; one row a part; claims.md has the rules", rotation_text(sweep),
                      "lower, upper: 95 % interval of value; side, bound: where value must lie for the claim",
-                     "paper: the same measure on the paper's tables; objects, runs: that value rests on",
+                     "paper: the same measure on the paper's tables, with its interval where they give four runs' sd; "
+                     "objects, runs: that value rests on",
                      "verdict: on the part; claim_verdict: on the whole claim", origin_text(sweep)},
                     {"claim", "part", "words", "measure", "unit", "value", "lower", "upper", "side", "bound", "paper",
-                     "objects", "runs", "verdict", "claim_verdict", "missing"},
+                     "paper_lower", "paper_upper", "objects", "runs", "verdict", "claim_verdict", "missing"},
                     rows);
 }
 

@@ -67,9 +67,10 @@ RunGrid grid_of_table2(const PaperValues &paper)
 {
     RunGrid grid{paper.objects, {}};
     for (const auto &[key, cell] : paper.with_centre) {
-        const double half = number_of(cell.sd) / std::sqrt(2.0);
+        const double half = number_of(cell.sd) * std::sqrt(3.0) / 2;
         const double mean = number_of(cell.mean);
-        grid.cells[{key.first, key.second, true}] = {made_up_run(mean - half), made_up_run(mean + half)};
+        grid.cells[{key.first, key.second, true}] = {made_up_run(mean - half), made_up_run(mean - half),
+                                                     made_up_run(mean + half), made_up_run(mean + half)};
     }
     return grid;
 }

@@ -33,7 +33,8 @@ RunGrid read_run_grid(const std::filesystem::path &folder, const Sweep &sweep, c
 // The paper's tables as made-up runs, so that its values go through the same measures as ours:
 // Table 1's rewards, one run a cell.
 RunGrid grid_of_table1(const PaperValues &paper);
-// Table 2's means and standard deviations: two runs a cell, mean - sd / sqrt 2 and mean + sd / sqrt 2, which have both.
+// Table 2's means and standard deviations: four runs a cell, as the paper states, half of them at mean - d and half at mean + d with
+// d = sd sqrt 3 / 2, which have both. Intervals of means are then those of the paper's own spread; how sure a spread is they do not say.
 RunGrid grid_of_table2(const PaperValues &paper);
 // Table 2's best runs, one run a cell.
 RunGrid grid_of_best(const PaperValues &paper);
