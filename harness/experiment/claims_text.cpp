@@ -126,6 +126,12 @@ std::string rules(const Sweep &sweep)
         "trials to 80 % (3a): the first trial at which the mean of the last 100 rotations (of shorter runs: the last "
         "fiftieth of the run) reaches 80 % of the run's own final rotation; all trials for a run that turned the "
         "object backwards. A model that learns little reaches its own level soon; 3b asks for the level too.");
+    lines.push_back("bounds: 2a more than half of the objects; 2b seven of nine, since the paper excepts two; 6a, 6b, "
+                    "6c and 7a halfway between the two extremes (one finger and both alike, in phase and opposite, one "
+                    "CPG and all three alike); 7c a tenth; 8a, 8b a third of the learnable range, by which two "
+                    "frequencies drawn evenly from it differ on average.");
+    lines.push_back("fingers (6a, 6c): a step's forward turn counts for the fingers that press on the object at its "
+                    "end, in proportion to their normal forces.");
     lines.push_back(
         "8b is partly true by construction: lone CPG-M and CPG-S have no parameter for the frequency and take "
         "it from the set-up.");

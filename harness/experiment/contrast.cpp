@@ -20,7 +20,7 @@ Contrast::Contrast(std::string name, CellMeasure measure, std::size_t fewest_run
 {
 }
 
-void Contrast::add(double weight, std::vector<const Runs *> cells)
+void Contrast::add(double weight, const std::vector<const Runs *> &cells)
 {
     Term term{weight, {}};
     for (const Runs *cell : cells) {

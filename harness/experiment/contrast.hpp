@@ -26,7 +26,7 @@ class Contrast
     Contrast(std::string name, CellMeasure measure, std::size_t fewest_runs);
 
     // Add weight times the measure of `cells`, none of them null, which must outlive the contrast.
-    void add(double weight, std::vector<const Runs *> cells);
+    void add(double weight, const std::vector<const Runs *> &cells);
 
     const std::string &name() const
     {
