@@ -1,11 +1,14 @@
 #include "../scratch_folder.hpp"
+#include "experiment/run_measures.hpp"
 #include "program.hpp"
 #include "record/csv.hpp"
+#include "record/csv_columns.hpp"
 #include "record/json_file.hpp"
 #include "record/policy_json.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -202,6 +205,47 @@ TEST(SummarizeClaims, compare_claims_reads_what_summarize_wrote)
     EXPECT_NE(outcome.output.find("| " + name + ", set-up mid-a | " + name + ", set-up mid-a | holds |"),
               std::string::npos);
     EXPECT_NE(outcome.output.find("supported | in every set-up |"), std::string::npos) << outcome.output;
+}
+
+// The largest change of any joint's desired angle from a time after 1.2 s, when amplitudes and centres have settled, to `later_s` on.
+double largest_change_rad(const std::vector<std::vector<double>> &joints, double later_s)
+{
+    constexpr std::size_t settled = 120;
+    const double steps = later_s / 0.01;
+    const auto whole = static_cast<std::size_t>(steps);
+    const double rest = steps - static_cast<double>(whole);
+    double largest = 0;
+    for (const std::vector<double> &angle_rad : joints) {
+        for (std::size_t i = settled; i + whole + 1 < angle_rad.size(); ++i) {
+            const double later_rad = (1 - rest) * angle_rad[i + whole] + rest * angle_rad[i + whole + 1];
+            largest = std::max(largest, std::abs(later_rad - angle_rad[i]));
+        }
+    }
+    return largest;
+}
+
+// The frequency that a run counts with is that of the angles it asks for: they repeat after its period, not after half of it. It is learned
+// by CPG-C, and set for CPG-M alone.
+TEST(SummarizeClaims, frequency_is_that_of_the_desired_angles)
+{
+    for (const std::string model : {"cpg-c", "cpg-m"}) {
+        const ScratchFolder folder;
+        const std::string run = (folder.path() / "run").string();
+        ASSERT_EQ(
+            run_twiddle("train --object small-sphere --model " + model + " --seed 3 --trials 20 --out " + run).status,
+            0);
+        ASSERT_EQ(run_twiddle("replay " + run).status, 0);
+        const twiddle::experiment::Sweep sweep{"", "", 20, {}};
+        const auto measures =
+            twiddle::experiment::read_run_measures(folder.path(), sweep, {"run", "", "small-sphere", model, true, 3});
+        ASSERT_TRUE(measures.frequency);
+        const auto joints = twiddle::record::read_csv_columns(
+            run + "/trajectory.csv", {"desired_fei_rad", "desired_aai_rad", "desired_fet_rad", "desired_ot_rad"});
+        const double period_s = 1 / measures.frequency->value_hz;
+        EXPECT_LT(largest_change_rad(joints, period_s), 0.005)
+            << model << ", " << measures.frequency->value_hz << " Hz";
+        EXPECT_GT(largest_change_rad(joints, period_s / 2), 0.1) << model;
+    }
 }
 
 } // namespace
