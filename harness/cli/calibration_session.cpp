@@ -42,7 +42,7 @@ std::vector<experiment::Cell> cells_of(const std::vector<std::string> &objects)
     std::vector<experiment::Cell> cells;
     for (const std::string &object : objects) {
         for (const auto &[model, centre] : models_and_centre) {
-            cells.push_back({"", object, model, centre, {}});
+            cells.push_back({"", object, model, centre, {}, {}});
         }
     }
     return cells;

@@ -1,8 +1,12 @@
+#include "calibration/plan.hpp"
 #include "commands.hpp"
 #include "errors.hpp"
+#include "experiment/claims_text.hpp"
 #include "experiment/figure_data.hpp"
+#include "experiment/paper_distance_text.hpp"
 #include "experiment/sweep_tables_text.hpp"
 #include "experiment/variant_table_text.hpp"
+#include "options.hpp"
 #include "record/part_file.hpp"
 #include "sweep_folder.hpp"
 
@@ -18,6 +22,7 @@ namespace
 struct SummarizeOptions {
     std::string sweep_dir;
     std::string paper_dir = TWIDDLE_PAPER_DIR;
+    std::string models_dir;
 };
 
 void write_text(const std::filesystem::path &path, const std::string &text)
@@ -26,6 +31,14 @@ void write_text(const std::filesystem::path &path, const std::string &text)
     file.write(text);
     file.finish();
     std::cout << path.string() << '\n';
+}
+
+// The objects that the paper's set-up was compared on when it was searched; none where the models folder has no calibration.
+std::vector<std::string> calibration_objects(const std::filesystem::path &models)
+{
+    const std::filesystem::path plan = models / "calibrations" / "paper.toml";
+    if (!std::filesystem::exists(plan)) return {};
+    return calibration::read_calibration_plan(plan, models).objects;
 }
 
 int summarize(const SummarizeOptions &options)
@@ -43,9 +56,17 @@ int summarize(const SummarizeOptions &options)
     const std::vector<experiment::Cell> cells = experiment::read_cells(folder, sweep);
     const experiment::SweepTables tables = {experiment::centre_table(cells, paper),
                                             experiment::model_table(cells, paper)};
+    const std::vector<experiment::ClaimResult> claims =
+        experiment::test_claims(experiment::read_run_grid(folder, sweep, paper), paper);
     write_text(folder / "table1.csv", experiment::table1_csv(sweep, tables));
     write_text(folder / "table2.csv", experiment::table2_csv(sweep, tables));
     write_text(folder / "tables.md", experiment::tables_markdown(sweep, tables));
+    write_text(folder / "claims.csv", experiment::claims_csv(sweep, claims));
+    write_text(folder / "claims.md", experiment::claims_markdown(sweep, claims));
+    const std::vector<experiment::DistanceRow> distances =
+        experiment::distance_table(cells, paper, calibration_objects(models_dir(options.models_dir)));
+    write_text(folder / "distance.csv", experiment::distance_csv(sweep, distances));
+    write_text(folder / "distance.md", experiment::distance_markdown(sweep, distances));
     const std::filesystem::path figure_data = folder / "figures" / "data";
     make_folder(figure_data);
     write_text(figure_data / "learning_curves.csv", experiment::learning_curves_csv(sweep, cells));
@@ -64,11 +85,13 @@ void add_summarize(CLI::App &app, Session &session)
 {
     CLI::App *command = app.add_subcommand(
         "summarize",
-        "Make the paper's tables of a complete sweep, and the data of its figures; writes table1.csv, table2.csv, "
-        "tables.md, figures/data; of a sweep with variants also choices.csv, choices.md");
+        "Make the paper's tables of a complete sweep, test its claims, and make its figures' data; writes "
+        "table1.csv, table2.csv, tables.md, claims.csv, claims.md, distance.csv, distance.md, figures/data; of a "
+        "sweep with variants also choices.csv, choices.md");
     const auto options = std::make_shared<SummarizeOptions>();
     command->add_option("DIR", options->sweep_dir, "Folder of the sweep, with sweep.json")->required()->type_name("");
     command->add_option("--paper", options->paper_dir, "Folder of the paper's tables as CSV")->type_name("DIR");
+    add_models_option(*command, options->models_dir);
     command->callback([options, &session] { session.run = [options] { return summarize(*options); }; });
 }
 

@@ -1,4 +1,5 @@
 #include "experiment/paper_distance.hpp"
+#include "experiment/paper_distance_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,17 +44,36 @@ TEST(PaperDistance, pairs_are_the_cells_that_the_paper_has_of_the_objects)
     paper.reward[{"small-sphere", false}] = "2.829";
     paper.with_centre[{"small-sphere", "cpg-h"}] = {"5.686", "0.063", "5.773"};
     paper.with_centre[{"large-cube", "cpg-h"}] = {"3.318", "0.186", "3.529"};
-    const std::vector<Cell> cells = {{"", "small-sphere", "cpg-h", true, {4, 6}},
-                                     {"", "small-sphere", "cpg-h", false, {3}},
-                                     {"", "small-sphere", "cpg-c", false, {1}},
-                                     {"slippery", "small-sphere", "cpg-h", true, {9}},
-                                     {"", "large-cube", "cpg-h", true, {2}}};
+    const std::vector<Cell> cells = {{"", "small-sphere", "cpg-h", true, {4, 6}, {}},
+                                     {"", "small-sphere", "cpg-h", false, {3}, {}},
+                                     {"", "small-sphere", "cpg-c", false, {1}, {}},
+                                     {"slippery", "small-sphere", "cpg-h", true, {9}, {}},
+                                     {"", "large-cube", "cpg-h", true, {2}, {}}};
     const std::vector<PaperPair> pairs = paper_pairs(cells, paper, {"small-sphere"});
     ASSERT_EQ(pairs.size(), 2U);
     EXPECT_DOUBLE_EQ(pairs[0].ours_rad, 5);
     EXPECT_DOUBLE_EQ(pairs[0].paper, 5.686);
     EXPECT_DOUBLE_EQ(pairs[1].ours_rad, 3);
     EXPECT_DOUBLE_EQ(pairs[1].paper, 2.829);
+}
+
+// The calibration's object is on the paper's value, the held-out one a factor e above: errors 0, 1, and sqrt(1/2) over both.
+TEST(PaperDistance, held_out_objects_are_judged_apart)
+{
+    PaperValues paper;
+    paper.objects = {"small-sphere", "large-cube", "medium-cube"};
+    paper.with_centre[{"small-sphere", "cpg-h"}] = {"2", "", ""};
+    paper.with_centre[{"large-cube", "cpg-h"}] = {"1", "", ""};
+    const std::vector<Cell> cells = {{"", "small-sphere", "cpg-h", true, {2}, {}},
+                                     {"", "large-cube", "cpg-h", true, {std::exp(1.0)}, {}}};
+    const std::vector<DistanceRow> rows = distance_table(cells, paper, {"small-sphere"});
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[0].objects, "calibration");
+    EXPECT_NEAR(rows[0].distance.error_rad, 0, 1e-12);
+    EXPECT_EQ(rows[1].objects, "held-out");
+    EXPECT_NEAR(rows[1].distance.error_rad, 1, 1e-12);
+    EXPECT_EQ(rows[2].objects, "all");
+    EXPECT_NEAR(rows[2].distance.error_rad, std::sqrt(0.5), 1e-12);
 }
 
 } // namespace
