@@ -30,6 +30,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double report_interval_s = 10;
 constexpr std::uint32_t most_last_trials = 500; // that count; of a short run, its last tenth
+constexpr std::size_t written_setups = 2;       // the best, and another one for comparison
 constexpr const char *screening = "screening";
 constexpr const char *finals = "finals";
 
@@ -118,7 +119,7 @@ bool CalibrationSession::run()
     for (std::size_t i = 0; i < std::min(plan_.finalists, ranking.size()); ++i) {
         if (!judge(finals, ranking[i], search.point(ranking[i]), plan_.finals)) return false;
     }
-    write_setup();
+    write_setups();
     return true;
 }
 
@@ -157,7 +158,7 @@ bool CalibrationSession::judge(const std::string &stage, std::size_t place, cons
 
 double CalibrationSession::error_limit(const std::string &stage) const
 {
-    const std::size_t kept = stage == finals ? 1 : std::max(plan_.finalists, plan_.search.parents);
+    const std::size_t kept = stage == finals ? written_setups : std::max(plan_.finalists, plan_.search.parents);
     std::vector<double> errors;
     for (const Candidate &candidate : candidates_) {
         if (candidate.stage == stage) errors.push_back(candidate.distance.error_rad);
@@ -231,32 +232,36 @@ experiment::PaperDistance CalibrationSession::distance(const std::vector<double>
     return distance;
 }
 
-const CalibrationSession::Candidate &CalibrationSession::best_finalist() const
+void CalibrationSession::write_setups() const
 {
-    const Candidate *best = nullptr;
+    std::vector<const Candidate *> finalists;
     for (const Candidate &candidate : candidates_) {
-        const bool better = best == nullptr || candidate.distance.error_rad < best->distance.error_rad;
-        if (candidate.stage == finals && better) best = &candidate;
+        if (candidate.stage == finals) finalists.push_back(&candidate);
     }
-    return *best;
+    std::stable_sort(finalists.begin(), finalists.end(), [](const Candidate *a, const Candidate *b) {
+        return a->distance.error_rad < b->distance.error_rad;
+    });
+    for (std::size_t rank = 0; rank < std::min(written_setups, finalists.size()); ++rank) {
+        write_setup(*finalists[rank], folder_ / ("setup-" + std::to_string(rank + 1) + ".toml"));
+    }
 }
 
-void CalibrationSession::write_setup() const
+void CalibrationSession::write_setup(const Candidate &candidate, const std::filesystem::path &path) const
 {
-    const Candidate &best = best_finalist();
+    const experiment::PaperDistance &distance = candidate.distance;
     const std::vector<std::string> comments = {
-        plan_.name + ": found by `twiddle calibrate`, point " + std::to_string(best.place) + " of " +
-            std::to_string(plan_.search.random + plan_.search.refined) + ".",
-        "Root mean square of ln(ours / paper) over the " + std::to_string(best.distance.pairs) +
-            " cells compared: " + error_text(best.distance.error_rad) + " in rad, " +
-            error_text(best.distance.error_scaled) + " with one factor of " + error_text(best.distance.scale) + "."};
-    record::PartFile file(folder_ / "setup.toml");
-    file.write(calibration::setup_text(plan_.setup.settings, plan_.variables, best.values, comments));
+        "Found by `twiddle calibrate` with the plan " + plan_.name + ": point " + std::to_string(candidate.place) +
+            " of " + std::to_string(plan_.search.random + plan_.search.refined) + ".",
+        "Root mean square of ln(ours / paper) over the " + std::to_string(distance.pairs) +
+            " cells compared: " + error_text(distance.error_rad) + " in rad, " + error_text(distance.error_scaled) +
+            " with one factor of " + error_text(distance.scale) + "."};
+    record::PartFile file(path);
+    file.write(calibration::setup_text(plan_.setup.settings, plan_.variables, candidate.values, comments));
     file.finish();
     for (const std::string &comment : comments) {
         std::cout << comment << '\n';
     }
-    std::cout << (folder_ / "setup.toml").string() << '\n';
+    std::cout << path.string() << '\n';
 }
 
 std::vector<std::string> CalibrationSession::columns() const

@@ -25,7 +25,7 @@ class CalibrationSession
                        record::RunSpecification common, std::filesystem::path models, std::filesystem::path folder,
                        std::size_t jobs);
 
-    // Search, train the finalists in full, and write the best of them as setup.toml. False if Ctrl-C came in between.
+    // Search, train the finalists in full, and write the best two of them as setup-1.toml and setup-2.toml. False if Ctrl-C came in between.
     bool run();
 
   private:
@@ -45,7 +45,7 @@ class CalibrationSession
     // The candidate of a point, from the file or from runs; appended to candidates_. False after Ctrl-C.
     bool judge(const std::string &stage, std::size_t place, const calibration::Point &point,
                const calibration::Effort &effort);
-    // The error beyond which a point of `stage` is of no use: it would be neither a parent nor a finalist, nor the best of these.
+    // The error beyond which a point of `stage` is of no use: it would be neither a parent nor a finalist, nor one of the best of these.
     double error_limit(const std::string &stage) const;
     // Train object by object until the error, which only grows, is beyond the limit. False after Ctrl-C.
     bool train(Candidate &candidate, const calibration::Effort &effort) const;
@@ -55,8 +55,8 @@ class CalibrationSession
     // Over the trained cells, the first ones; error_rad is a lower bound if there are more.
     experiment::PaperDistance distance(const std::vector<double> &mean_rad) const;
 
-    const Candidate &best_finalist() const;
-    void write_setup() const;
+    void write_setups() const;
+    void write_setup(const Candidate &candidate, const std::filesystem::path &path) const;
 
     std::vector<std::string> columns() const;
     std::string key_of(const Candidate &candidate) const;

@@ -125,10 +125,7 @@ std::filesystem::path models_dir(const std::string &option)
 
 void require_setup(const std::filesystem::path &models, const std::string &setup)
 {
-    const std::vector<std::string> names = sim::setup_names(models);
-    if (setup == "paper" && !contains(names, setup))
-        throw UsageError("--setup paper is not in this version; use --setup with one of " + comma_list(names));
-    if (!is_toml_path(setup)) require_name("set-up", names, setup);
+    if (!is_toml_path(setup)) require_name("set-up", sim::setup_names(models), setup);
 }
 
 void require_supported(const RunOptions &options)

@@ -18,7 +18,7 @@ struct RunOptions {
     std::string object;
     std::string model;
     bool no_centre = false;
-    std::string setup = "mid-a";
+    std::string setup = "paper";
     std::string stepper = "fast";
     std::string hand = "welded";
     std::string number;

@@ -49,7 +49,7 @@ TEST(Calibrate, writes_all_candidates_and_a_set_up_that_trains)
         EXPECT_NE(candidates.find(row), std::string::npos) << row;
     }
     const Outcome training = run_twiddle("train --object small-sphere --model cpg-s --trials 2 --setup " +
-                                         (out / "setup.toml").string() + " --out " + (folder.path() / "run").string());
+                                         (out / "setup-1.toml").string() + " --out " + (folder.path() / "run").string());
     EXPECT_EQ(training.status, 0) << training.error;
 }
 
@@ -62,7 +62,7 @@ TEST(Calibrate, an_interrupted_one_goes_on_and_gives_the_same_bytes)
     folder.write("half/candidates.csv", head_of(whole, 7)); // four remarks, the columns, two points
     ASSERT_EQ(calibrate(plan, folder.path() / "half", "2").status, 0);
     EXPECT_EQ(text_of(folder.path() / "half" / "candidates.csv"), whole);
-    EXPECT_EQ(text_of(folder.path() / "half" / "setup.toml"), text_of(folder.path() / "whole" / "setup.toml"));
+    EXPECT_EQ(text_of(folder.path() / "half" / "setup-1.toml"), text_of(folder.path() / "whole" / "setup-1.toml"));
 }
 
 TEST(Calibrate, leaves_the_folder_of_another_calibration_as_it_is)

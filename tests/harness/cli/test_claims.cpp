@@ -235,7 +235,7 @@ TEST(SummarizeClaims, frequency_is_that_of_the_desired_angles)
             run_twiddle("train --object small-sphere --model " + model + " --seed 3 --trials 20 --out " + run).status,
             0);
         ASSERT_EQ(run_twiddle("replay " + run).status, 0);
-        const twiddle::experiment::Sweep sweep{"", "", 20, {}};
+        const twiddle::experiment::Sweep sweep{"", "", 20, {}, {}};
         const auto measures =
             twiddle::experiment::read_run_measures(folder.path(), sweep, {"run", "", "small-sphere", model, true, 3});
         ASSERT_TRUE(measures.frequency);

@@ -16,7 +16,7 @@ TEST(Options, wrong_use_is_one_sentence_and_status_2)
 {
     const std::string train = "train --object small-sphere --model cpg-h --out /nonexistent/out ";
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {"", "train, sweep, replay, rollout, summarize or info"},
+        {"", "train, sweep, calibrate, replay, rollout, summarize, compare-claims or info"},
         {"juggle", "juggle"},
         {"train --model cpg-h", "--object is required"},
         {"train --object small-sphere", "--model is required"},
@@ -52,8 +52,7 @@ TEST(Options, what_is_not_in_this_version_is_refused)
 {
     const std::vector<std::pair<std::string, std::string>> cases = {{"--number fixed", "use --number float, double"},
                                                                     {"--target microbit", "use --target host"},
-                                                                    {"--target mps2-an386", "use --target host"},
-                                                                    {"--setup paper", "use --setup with one of mid-a"}};
+                                                                    {"--target mps2-an386", "use --target host"}};
     for (const std::string command : {"train", "rollout"}) {
         for (const auto &[option, expected] : cases) {
             const Outcome outcome = run_twiddle(command + " --object small-sphere --model cpg-h " + option);

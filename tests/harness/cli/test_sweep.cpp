@@ -99,7 +99,7 @@ TEST(Sweep, single_runs_started_together_make_the_sweep)
 
     const fs::path one = folder.path() / "one";
     EXPECT_EQ(sweep(manifest, one, "--only 4").status, 0);
-    EXPECT_EQ(files_below(one).size(), 4U);
+    EXPECT_EQ(files_below(one).size(), 6U);
     EXPECT_TRUE(fs::exists(one / folders[4] / "policy.json"));
 }
 

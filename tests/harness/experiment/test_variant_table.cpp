@@ -13,12 +13,13 @@ namespace
 using namespace twiddle::experiment;
 
 // Two objects, two models; "soft" changes CPG-H alone, "odd" has one object and a model that the base has not.
-const std::vector<Cell> cells = {{"", "sphere", "cpg-c", true, {1, 3}},     {"", "sphere", "cpg-h", true, {2, 2}},
-                                 {"", "cube", "cpg-c", true, {5, 7}},       {"", "cube", "cpg-h", true, {4, 6}},
-                                 {"soft", "sphere", "cpg-c", true, {1, 3}}, {"soft", "sphere", "cpg-h", true, {2, 4}},
-                                 {"soft", "cube", "cpg-c", true, {5, 7}},   {"soft", "cube", "cpg-h", true, {10, 12}},
-                                 {"odd", "cube", "cpg-c", true, {0, 0}},    {"odd", "cube", "cpg-m", true, {8, 8}},
-                                 {"single", "sphere", "cpg-c", true, {2.5}}};
+const std::vector<Cell> cells = {
+    {"", "sphere", "cpg-c", true, {1, 3}, {}},     {"", "sphere", "cpg-h", true, {2, 2}, {}},
+    {"", "cube", "cpg-c", true, {5, 7}, {}},       {"", "cube", "cpg-h", true, {4, 6}, {}},
+    {"soft", "sphere", "cpg-c", true, {1, 3}, {}}, {"soft", "sphere", "cpg-h", true, {2, 4}, {}},
+    {"soft", "cube", "cpg-c", true, {5, 7}, {}},   {"soft", "cube", "cpg-h", true, {10, 12}, {}},
+    {"odd", "cube", "cpg-c", true, {0, 0}, {}},    {"odd", "cube", "cpg-m", true, {8, 8}, {}},
+    {"single", "sphere", "cpg-c", true, {2.5}, {}}};
 
 Sweep made_up_sweep()
 {
