@@ -92,6 +92,7 @@ std::vector<std::vector<double>> read_csv_columns(const std::filesystem::path &p
 {
     const std::vector<std::size_t> places = places_of(names, read_csv_header(path), path);
     const std::string text = read_text(path);
+    if (text.back() != '\n') throw error_of(path, "does not end with a whole line");
     std::vector<std::vector<double>> columns(names.size());
     std::size_t lines = 0;
     for (std::string_view rest = text; !rest.empty();) {

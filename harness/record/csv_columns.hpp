@@ -13,8 +13,8 @@ namespace twiddle::record
 std::vector<std::string> read_csv_header(const std::filesystem::path &path);
 
 // The columns `names` of `path`, one vector a name in the order asked for, one value a row; empty lines and `#` lines are no rows.
-// Throws std::runtime_error with one sentence that names the file and what is wrong: no such column, or the row (counted from 1)
-// that has not one cell a column or no finite number in a chosen one.
+// Throws std::runtime_error with one sentence that names the file and what is wrong: no such column, no line end after the last row,
+// or the row (counted from 1) that has not one cell a column or no finite number in a chosen one.
 std::vector<std::vector<double>> read_csv_columns(const std::filesystem::path &path,
                                                   const std::vector<std::string> &names);
 
