@@ -1,6 +1,6 @@
 #include "plan.hpp"
 
-#include "experiment/manifest_file.hpp"
+#include "sim/manifest_file.hpp"
 
 #include <limits>
 
@@ -10,9 +10,9 @@ namespace twiddle::calibration
 namespace
 {
 
-using experiment::ManifestFile;
-using experiment::Names;
-using experiment::Pointer;
+using sim::ManifestFile;
+using sim::Names;
+using sim::Pointer;
 
 constexpr std::int64_t most_points = 1'000'000;
 constexpr std::int64_t most_trials = 1'000'000;

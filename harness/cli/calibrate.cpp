@@ -47,7 +47,7 @@ int calibrate(const CalibrateOptions &options)
     common.hand = defaults.hand;
     common.number = own_number();
     calibration::CalibrationPlan plan = read_plan(options.plan, models);
-    experiment::PaperValues paper = experiment::read_paper_values(options.paper_dir);
+    results::PaperValues paper = results::read_paper_values(options.paper_dir);
     make_folder(options.out);
     catch_stop_signals();
     CalibrationSession session(std::move(plan), std::move(paper), std::move(common), models, options.out,

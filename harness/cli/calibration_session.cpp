@@ -1,11 +1,11 @@
 #include "calibration_session.hpp"
 
-#include "experiment/statistics.hpp"
 #include "experiment/training.hpp"
 #include "record/csv.hpp"
 #include "record/number_text.hpp"
 #include "record/part_file.hpp"
 #include "record/versions.hpp"
+#include "results/statistics.hpp"
 #include "sim/hand_model.hpp"
 #include "stop_request.hpp"
 #include "worker_pool.hpp"
@@ -38,9 +38,9 @@ constexpr const char *finals = "finals";
 const std::vector<std::pair<std::string, bool>> models_and_centre = {
     {"cpg-s", true}, {"cpg-m", true}, {"cpg-c", true}, {"cpg-h", true}, {"cpg-h", false}};
 
-std::vector<experiment::Cell> cells_of(const std::vector<std::string> &objects)
+std::vector<results::Cell> cells_of(const std::vector<std::string> &objects)
 {
-    std::vector<experiment::Cell> cells;
+    std::vector<results::Cell> cells;
     for (const std::string &object : objects) {
         for (const auto &[model, centre] : models_and_centre) {
             cells.push_back({"", object, model, centre, {}, {}});
@@ -49,7 +49,7 @@ std::vector<experiment::Cell> cells_of(const std::vector<std::string> &objects)
     return cells;
 }
 
-std::string name_of(const experiment::Cell &cell)
+std::string name_of(const results::Cell &cell)
 {
     return cell.object + "." + cell.model + (cell.centre ? "" : "-no-centre") + "_rad";
 }
@@ -88,7 +88,7 @@ std::string error_text(double error)
 
 } // namespace
 
-CalibrationSession::CalibrationSession(calibration::CalibrationPlan plan, experiment::PaperValues paper,
+CalibrationSession::CalibrationSession(calibration::CalibrationPlan plan, results::PaperValues paper,
                                        record::RunSpecification common, std::filesystem::path models,
                                        std::filesystem::path folder, std::size_t jobs)
     : plan_(std::move(plan)), paper_(std::move(paper)), common_(std::move(common)), models_(std::move(models)),
@@ -189,7 +189,7 @@ std::vector<double> CalibrationSession::train_cells(const record::RunSpecificati
     std::iota(tasks.begin(), tasks.end(), std::size_t{0});
     const Work work = [&](std::size_t task, const Reporter &report) {
         record::RunSpecification specification = common;
-        const experiment::Cell &cell = cells_[first + task / seeds];
+        const results::Cell &cell = cells_[first + task / seeds];
         specification.object = cell.object;
         specification.model = cell.model;
         specification.centre = cell.centre;
@@ -216,16 +216,15 @@ std::vector<double> CalibrationSession::train_cells(const record::RunSpecificati
     return mean_rad;
 }
 
-experiment::PaperDistance CalibrationSession::distance(const std::vector<double> &mean_rad) const
+results::PaperDistance CalibrationSession::distance(const std::vector<double> &mean_rad) const
 {
-    std::vector<experiment::Cell> cells(cells_.begin(), cells_.begin() + static_cast<std::ptrdiff_t>(mean_rad.size()));
+    std::vector<results::Cell> cells(cells_.begin(), cells_.begin() + static_cast<std::ptrdiff_t>(mean_rad.size()));
     for (std::size_t i = 0; i < cells.size(); ++i) {
         cells[i].rotation_rad = {mean_rad[i]};
     }
     const bool faulty =
         std::any_of(mean_rad.begin(), mean_rad.end(), [](double value) { return !std::isfinite(value); });
-    experiment::PaperDistance distance =
-        experiment::distance_from_paper(experiment::paper_pairs(cells, paper_, plan_.objects));
+    results::PaperDistance distance = results::distance_from_paper(results::paper_pairs(cells, paper_, plan_.objects));
     // Cells that were not trained can only add to the sum of squares.
     distance.error_rad *= std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(cells_.size()));
     if (faulty) distance.error_rad = distance.error_scaled = std::numeric_limits<double>::infinity();
@@ -248,7 +247,7 @@ void CalibrationSession::write_setups() const
 
 void CalibrationSession::write_setup(const Candidate &candidate, const std::filesystem::path &path) const
 {
-    const experiment::PaperDistance &distance = candidate.distance;
+    const results::PaperDistance &distance = candidate.distance;
     const std::vector<std::string> comments = {
         "Found by `twiddle calibrate` with the plan " + plan_.name + ": point " + std::to_string(candidate.place) +
             " of " + std::to_string(plan_.search.random + plan_.search.refined) + ".",
@@ -271,7 +270,7 @@ std::vector<std::string> CalibrationSession::columns() const
         columns.push_back(variable.setting);
     }
     columns.insert(columns.end(), {"cells", "error_rad", "scale", "error_scaled"});
-    for (const experiment::Cell &cell : cells_) {
+    for (const results::Cell &cell : cells_) {
         columns.push_back(name_of(cell));
     }
     return columns;

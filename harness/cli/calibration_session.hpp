@@ -5,8 +5,8 @@
 #pragma once
 
 #include "calibration/plan.hpp"
-#include "experiment/paper_distance.hpp"
 #include "record/run_json.hpp"
+#include "results/paper_distance.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -21,9 +21,8 @@ class CalibrationSession
 {
   public:
     // `common` gives hand, stepper and number type of all runs. Throws std::runtime_error if the folder is of another calibration.
-    CalibrationSession(calibration::CalibrationPlan plan, experiment::PaperValues paper,
-                       record::RunSpecification common, std::filesystem::path models, std::filesystem::path folder,
-                       std::size_t jobs);
+    CalibrationSession(calibration::CalibrationPlan plan, results::PaperValues paper, record::RunSpecification common,
+                       std::filesystem::path models, std::filesystem::path folder, std::size_t jobs);
 
     // Search, train the finalists in full, and write the best two of them as setup-1.toml and setup-2.toml. False if Ctrl-C came in between.
     bool run();
@@ -35,7 +34,7 @@ class CalibrationSession
         std::size_t place = 0;
         std::vector<nlohmann::json> values; // of the variables
         std::vector<double> mean_rad;       // one a trained cell; not a number after a fault
-        experiment::PaperDistance distance;
+        results::PaperDistance distance;
     };
 
     // The plan's settings at `values`.
@@ -53,7 +52,7 @@ class CalibrationSession
     std::vector<double> train_cells(const record::RunSpecification &common, std::size_t first, std::size_t count,
                                     std::size_t seeds) const;
     // Over the trained cells, the first ones; error_rad is a lower bound if there are more.
-    experiment::PaperDistance distance(const std::vector<double> &mean_rad) const;
+    results::PaperDistance distance(const std::vector<double> &mean_rad) const;
 
     void write_setups() const;
     void write_setup(const Candidate &candidate, const std::filesystem::path &path) const;
@@ -65,12 +64,12 @@ class CalibrationSession
     void report(bool trained);
 
     calibration::CalibrationPlan plan_;
-    experiment::PaperValues paper_;
+    results::PaperValues paper_;
     record::RunSpecification common_;
     std::filesystem::path models_;
     std::filesystem::path folder_;
     std::size_t jobs_;
-    std::vector<experiment::Cell> cells_;              // what is trained for a point, without its rotations
+    std::vector<results::Cell> cells_;                 // what is trained for a point, without its rotations
     std::map<std::string, std::vector<double>> known_; // mean_rad of an earlier start, by the row's first columns
     std::vector<Candidate> candidates_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -1,7 +1,7 @@
 #include "commands.hpp"
 #include "errors.hpp"
-#include "experiment/claims_comparison.hpp"
 #include "record/json_file.hpp"
+#include "results/claims_comparison.hpp"
 
 #include <iostream>
 #include <memory>
@@ -22,14 +22,14 @@ std::string name_of(const std::filesystem::path &folder)
 
 int compare_claims(const std::vector<std::string> &folders)
 {
-    std::vector<experiment::TestedClaims> sweeps;
+    std::vector<results::TestedClaims> sweeps;
     for (const std::filesystem::path folder : folders) {
         if (!std::filesystem::exists(folder / "sweep.json") || !std::filesystem::exists(folder / "claims.csv"))
             throw UsageError("'" + folder.string() +
                              "' does not hold sweep.json and claims.csv; run summarize on it first");
-        sweeps.push_back({name_of(folder), experiment::read_claims_csv(folder / "claims.csv")});
+        sweeps.push_back({name_of(folder), results::read_claims_csv(folder / "claims.csv")});
     }
-    std::cout << experiment::comparison_markdown(sweeps);
+    std::cout << results::comparison_markdown(sweeps);
     return 0;
 }
 

@@ -1,13 +1,13 @@
 #include "calibration/plan.hpp"
 #include "commands.hpp"
 #include "errors.hpp"
-#include "experiment/claims_text.hpp"
-#include "experiment/figure_data.hpp"
-#include "experiment/paper_distance_text.hpp"
-#include "experiment/sweep_tables_text.hpp"
-#include "experiment/variant_table_text.hpp"
 #include "options.hpp"
 #include "record/part_file.hpp"
+#include "results/claims_text.hpp"
+#include "results/figure_data.hpp"
+#include "results/paper_distance_text.hpp"
+#include "results/sweep_tables_text.hpp"
+#include "results/variant_table_text.hpp"
 #include "sweep_folder.hpp"
 
 #include <iostream>
@@ -51,30 +51,29 @@ int summarize(const SummarizeOptions &options)
         throw UsageError("'" + options.paper_dir +
                          "' does not hold the paper's table1.csv and table2.csv; name their folder by --paper");
 
-    const experiment::PaperValues paper = experiment::read_paper_values(paper_dir);
-    const experiment::Sweep sweep = experiment::read_sweep(folder);
-    const std::vector<experiment::Cell> cells = experiment::read_cells(folder, sweep);
-    const experiment::SweepTables tables = {experiment::centre_table(cells, paper),
-                                            experiment::model_table(cells, paper)};
-    const std::vector<experiment::ClaimResult> claims =
-        experiment::test_claims(experiment::read_run_grid(folder, sweep, paper), paper);
-    write_text(folder / "table1.csv", experiment::table1_csv(sweep, tables));
-    write_text(folder / "table2.csv", experiment::table2_csv(sweep, tables));
-    write_text(folder / "tables.md", experiment::tables_markdown(sweep, tables));
-    write_text(folder / "claims.csv", experiment::claims_csv(sweep, claims));
-    write_text(folder / "claims.md", experiment::claims_markdown(sweep, claims));
-    const std::vector<experiment::DistanceRow> distances =
-        experiment::distance_table(cells, paper, calibration_objects(models_dir(options.models_dir)));
-    write_text(folder / "distance.csv", experiment::distance_csv(sweep, distances));
-    write_text(folder / "distance.md", experiment::distance_markdown(sweep, distances));
+    const results::PaperValues paper = results::read_paper_values(paper_dir);
+    const results::Sweep sweep = results::read_sweep(folder);
+    const std::vector<results::Cell> cells = results::read_cells(folder, sweep);
+    const results::SweepTables tables = {results::centre_table(cells, paper), results::model_table(cells, paper)};
+    const std::vector<results::ClaimResult> claims =
+        results::test_claims(results::read_run_grid(folder, sweep, paper), paper);
+    write_text(folder / "table1.csv", results::table1_csv(sweep, tables));
+    write_text(folder / "table2.csv", results::table2_csv(sweep, tables));
+    write_text(folder / "tables.md", results::tables_markdown(sweep, tables));
+    write_text(folder / "claims.csv", results::claims_csv(sweep, claims));
+    write_text(folder / "claims.md", results::claims_markdown(sweep, claims));
+    const std::vector<results::DistanceRow> distances =
+        results::distance_table(cells, paper, calibration_objects(models_dir(options.models_dir)));
+    write_text(folder / "distance.csv", results::distance_csv(sweep, distances));
+    write_text(folder / "distance.md", results::distance_markdown(sweep, distances));
     const std::filesystem::path figure_data = folder / "figures" / "data";
     make_folder(figure_data);
-    write_text(figure_data / "learning_curves.csv", experiment::learning_curves_csv(sweep, cells));
-    write_text(figure_data / "best_runs.csv", experiment::best_runs_csv(sweep, cells));
-    const experiment::VariantTable variants = experiment::variant_table(sweep, cells);
+    write_text(figure_data / "learning_curves.csv", results::learning_curves_csv(sweep, cells));
+    write_text(figure_data / "best_runs.csv", results::best_runs_csv(sweep, cells));
+    const results::VariantTable variants = results::variant_table(sweep, cells);
     if (!variants.rows.empty()) {
-        write_text(folder / "choices.csv", experiment::variants_csv(sweep, variants));
-        write_text(folder / "choices.md", experiment::variants_markdown(sweep, variants));
+        write_text(folder / "choices.csv", results::variants_csv(sweep, variants));
+        write_text(folder / "choices.md", results::variants_markdown(sweep, variants));
     }
     return 0;
 }

@@ -1,8 +1,8 @@
 #include "sweep_manifest.hpp"
 
-#include "manifest_file.hpp"
 #include "models.hpp"
 #include "record/versions.hpp"
+#include "sim/manifest_file.hpp"
 #include "sim/object.hpp"
 #include "sim/setup.hpp"
 #include "sim/world.hpp"
@@ -19,6 +19,10 @@ namespace
 {
 
 using nlohmann::json;
+using sim::contains;
+using sim::ManifestFile;
+using sim::Names;
+using sim::Pointer;
 
 constexpr std::int64_t most_seeds = 100'000;
 

@@ -48,8 +48,9 @@ TEST(Calibrate, writes_all_candidates_and_a_set_up_that_trains)
     for (const char *row : {"\nscreening,0,", "\nscreening,1,", "\nscreening,2,", "\nfinals,"}) {
         EXPECT_NE(candidates.find(row), std::string::npos) << row;
     }
-    const Outcome training = run_twiddle("train --object small-sphere --model cpg-s --trials 2 --setup " +
-                                         (out / "setup-1.toml").string() + " --out " + (folder.path() / "run").string());
+    const Outcome training =
+        run_twiddle("train --object small-sphere --model cpg-s --trials 2 --setup " + (out / "setup-1.toml").string() +
+                    " --out " + (folder.path() / "run").string());
     EXPECT_EQ(training.status, 0) << training.error;
 }
 

@@ -1,10 +1,10 @@
 #include "../scratch_folder.hpp"
-#include "experiment/run_measures.hpp"
 #include "program.hpp"
 #include "record/csv.hpp"
 #include "record/csv_columns.hpp"
 #include "record/json_file.hpp"
 #include "record/policy_json.hpp"
+#include "results/run_measures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -235,9 +235,9 @@ TEST(SummarizeClaims, frequency_is_that_of_the_desired_angles)
             run_twiddle("train --object small-sphere --model " + model + " --seed 3 --trials 20 --out " + run).status,
             0);
         ASSERT_EQ(run_twiddle("replay " + run).status, 0);
-        const twiddle::experiment::Sweep sweep{"", "", 20, {}, {}};
+        const twiddle::results::Sweep sweep{"", "", 20, {}, {}};
         const auto measures =
-            twiddle::experiment::read_run_measures(folder.path(), sweep, {"run", "", "small-sphere", model, true, 3});
+            twiddle::results::read_run_measures(folder.path(), sweep, {"run", "", "small-sphere", model, true, 3});
         ASSERT_TRUE(measures.frequency);
         const auto joints = twiddle::record::read_csv_columns(
             run + "/trajectory.csv", {"desired_fei_rad", "desired_aai_rad", "desired_fet_rad", "desired_ot_rad"});
