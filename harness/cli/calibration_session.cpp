@@ -1,10 +1,7 @@
 #include "calibration_session.hpp"
 
 #include "experiment/training.hpp"
-#include "record/csv.hpp"
-#include "record/number_text.hpp"
 #include "record/part_file.hpp"
-#include "record/versions.hpp"
 #include "results/statistics.hpp"
 #include "sim/hand_model.hpp"
 #include "stop_request.hpp"
@@ -12,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -49,11 +45,6 @@ std::vector<results::Cell> cells_of(const std::vector<std::string> &objects)
     return cells;
 }
 
-std::string name_of(const results::Cell &cell)
-{
-    return cell.object + "." + cell.model + (cell.centre ? "" : "-no-centre") + "_rad";
-}
-
 // The mean rotation at the end of a run; not a number after a fault. Nothing of it is kept.
 TaskEnd train_run(const record::RunSpecification &specification, const std::filesystem::path &models,
                   const Reporter &report)
@@ -73,12 +64,6 @@ TaskEnd train_run(const record::RunSpecification &specification, const std::file
     return TaskEnd::complete;
 }
 
-std::string setting_text(const nlohmann::json &value)
-{
-    if (value.is_number_float()) return record::number_text(value.get<double>());
-    return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
 std::string error_text(double error)
 {
     std::ostringstream text;
@@ -92,9 +77,9 @@ CalibrationSession::CalibrationSession(calibration::CalibrationPlan plan, result
                                        record::RunSpecification common, std::filesystem::path models,
                                        std::filesystem::path folder, std::size_t jobs)
     : plan_(std::move(plan)), paper_(std::move(paper)), common_(std::move(common)), models_(std::move(models)),
-      folder_(std::move(folder)), jobs_(jobs), cells_(cells_of(plan_.objects))
+      folder_(std::move(folder)), jobs_(jobs), cells_(cells_of(plan_.objects)),
+      log_(folder_ / "candidates.csv", plan_, cells_)
 {
-    read_candidates();
 }
 
 bool CalibrationSession::run()
@@ -140,19 +125,16 @@ bool CalibrationSession::judge(const std::string &stage, std::size_t place, cons
     candidate.stage = stage;
     candidate.place = place;
     candidate.values = calibration::values_at(plan_.variables, point);
-    const auto known = known_.find(key_of(candidate));
-    if (known == known_.end() && known_.size() > candidates_.size())
-        throw std::runtime_error("'" + (folder_ / "candidates.csv").string() +
-                                 "' is of another calibration; choose another folder by --out");
-    if (known != known_.end()) {
-        candidate.mean_rad = known->second;
+    const std::vector<double> *known = log_.known(candidate, candidates_.size());
+    if (known != nullptr) {
+        candidate.mean_rad = *known;
     } else if (!train(candidate, effort)) {
         return false;
     }
     candidate.distance = distance(candidate.mean_rad);
     candidates_.push_back(candidate);
-    if (known == known_.end()) write_candidates();
-    report(known == known_.end());
+    if (known == nullptr) log_.write(candidates_);
+    report(known == nullptr);
     return true;
 }
 
@@ -261,78 +243,6 @@ void CalibrationSession::write_setup(const Candidate &candidate, const std::file
         std::cout << comment << '\n';
     }
     std::cout << path.string() << '\n';
-}
-
-std::vector<std::string> CalibrationSession::columns() const
-{
-    std::vector<std::string> columns = {"stage", "point"};
-    for (const calibration::Variable &variable : plan_.variables) {
-        columns.push_back(variable.setting);
-    }
-    columns.insert(columns.end(), {"cells", "error_rad", "scale", "error_scaled"});
-    for (const results::Cell &cell : cells_) {
-        columns.push_back(name_of(cell));
-    }
-    return columns;
-}
-
-std::string CalibrationSession::key_of(const Candidate &candidate) const
-{
-    std::string key = candidate.stage + "," + std::to_string(candidate.place);
-    for (const nlohmann::json &value : candidate.values) {
-        key += "," + setting_text(value);
-    }
-    return key;
-}
-
-void CalibrationSession::read_candidates()
-{
-    const std::filesystem::path path = folder_ / "candidates.csv";
-    std::ifstream file(path);
-    const std::size_t first_mean = columns().size() - cells_.size();
-    const std::size_t first_error = 2 + plan_.variables.size();
-    bool header = false;
-    for (std::string line; std::getline(file, line);) {
-        if (line.empty() || line.front() == '#') continue;
-        const std::vector<std::string> row = record::split_csv(line);
-        if (!header && row != columns())
-            throw std::runtime_error("'" + path.string() +
-                                     "' is of another calibration; choose another folder by --out");
-        if (!std::exchange(header, true)) continue;
-        if (row.size() != columns().size()) throw std::runtime_error("'" + path.string() + "' has a broken row");
-        std::string key = row[0];
-        for (std::size_t i = 1; i < first_error; ++i) {
-            key += "," + row[i];
-        }
-        std::vector<double> &mean_rad = known_[key];
-        for (std::size_t i = first_mean; i < row.size(); ++i) {
-            if (row[i].empty()) break; // not trained, nor what follows
-            mean_rad.push_back(record::parse_number(row[i]).value_or(std::numeric_limits<double>::quiet_NaN()));
-        }
-    }
-}
-
-void CalibrationSession::write_candidates() const
-{
-    record::PartFile file(folder_ / "candidates.csv");
-    file.write("# candidates of the calibration " + plan_.name +
-               ": settings tried, and how far they are from the paper\n");
-    file.write("# error_rad: root mean square of ln(ours / paper); error_scaled: the same with ours times scale\n");
-    file.write(
-        "# the other columns: mean rotation, rad, of the last 500 trials (last tenth of short runs), over seeds\n");
-    file.write("# search seed: " + std::to_string(plan_.search.seed) + "; " + record::version_line() + "\n");
-    file.write(record::csv_header(columns()) + "\n");
-    for (const Candidate &candidate : candidates_) {
-        record::CsvRow row;
-        row.cell(std::uint64_t{candidate.mean_rad.size()});
-        row.cell(candidate.distance.error_rad).cell(candidate.distance.scale).cell(candidate.distance.error_scaled);
-        for (const double mean_rad : candidate.mean_rad) {
-            row.cell(mean_rad);
-        }
-        file.write(key_of(candidate) + "," + row.text());
-        file.write(std::string(cells_.size() - candidate.mean_rad.size(), ',') + "\n");
-    }
-    file.finish();
 }
 
 void CalibrationSession::report(bool trained)

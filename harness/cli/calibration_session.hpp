@@ -1,16 +1,15 @@
 // calibration_session.hpp: a calibration from its first point to its set-up; one that was interrupted goes on.
 //
-// What is known stands in the folder's candidates.csv, written anew after each point. A new start asks the search for the same
-// points again, takes their rotations from the file, and trains what is missing.
+// A new start asks the search for the same points again, takes their rotations from candidates.csv, and trains what is missing.
 #pragma once
 
 #include "calibration/plan.hpp"
+#include "candidate_log.hpp"
 #include "record/run_json.hpp"
 #include "results/paper_distance.hpp"
 
 #include <chrono>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -28,15 +27,6 @@ class CalibrationSession
     bool run();
 
   private:
-    // A point that was tried.
-    struct Candidate {
-        std::string stage; // "screening" or "finals"
-        std::size_t place = 0;
-        std::vector<nlohmann::json> values; // of the variables
-        std::vector<double> mean_rad;       // one a trained cell; not a number after a fault
-        results::PaperDistance distance;
-    };
-
     // The plan's settings at `values`.
     record::RunSpecification specification_at(const std::vector<nlohmann::json> &values,
                                               const calibration::Effort &effort) const;
@@ -57,10 +47,6 @@ class CalibrationSession
     void write_setups() const;
     void write_setup(const Candidate &candidate, const std::filesystem::path &path) const;
 
-    std::vector<std::string> columns() const;
-    std::string key_of(const Candidate &candidate) const;
-    void read_candidates();
-    void write_candidates() const;
     void report(bool trained);
 
     calibration::CalibrationPlan plan_;
@@ -69,8 +55,8 @@ class CalibrationSession
     std::filesystem::path models_;
     std::filesystem::path folder_;
     std::size_t jobs_;
-    std::vector<results::Cell> cells_;                 // what is trained for a point, without its rotations
-    std::map<std::string, std::vector<double>> known_; // mean_rad of an earlier start, by the row's first columns
+    std::vector<results::Cell> cells_; // what is trained for a point, without its rotations
+    CandidateLog log_;
     std::vector<Candidate> candidates_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::chrono::steady_clock::time_point last_report_ = start_;
