@@ -331,12 +331,12 @@ TEST(Summarize, corrupt_log_is_named)
         {head + "1,0.5,0\n3,0.5,0\n3,0.5,0\n", "has no valid row 2"},
         {head + "1,0.5,0\n2,half,0\n3,0.5,0\n", "has no valid row 2"},
         {head + "1,0.5,0\n2,nan,0\n3,0.5,0\n", "has no valid row 2"},
-        {head + "1,0.5,0\n2,0.5,0\n3,0.5\n", "has no valid row of trial 3"},
-        {head + "1,0.5,0,7\n2,0.5,0\n3,0.5,0\n", "has no valid row of trial 1"},
+        {head + "1,0.5,0\n2,0.5,0\n3,0.5\n", "has no valid row 3"},
+        {head + "1,0.5,0,7\n2,0.5,0\n3,0.5,0\n", "has no valid row 1"},
         {"trial,reward\n1,0.5\n2,0.5\n3,0.5\n", "has no column 'rotation_rad'"},
         {"rotation_rad,reward\n1,0.5\n2,0.5\n3,0.5\n", "has no column 'trial'"},
-        {"# nothing\n", "has no column 'trial'"},
-        {"", "does not end with a whole line"}};
+        {"# nothing\n", "has no header row"},
+        {"", "has no header row"}};
     for (const auto &[text, expected] : cases) {
         const ScratchFolder folder;
         write_sweep(folder, 3, tiny);
