@@ -62,8 +62,7 @@ int calibrate(const CalibrateOptions &options)
 void add_calibrate(CLI::App &app, Session &session)
 {
     CLI::App *command = app.add_subcommand(
-        "calibrate",
-        "Search a set-up that comes near the paper's tables; writes candidates.csv, setup-1.toml and setup-2.toml");
+        "calibrate", "Search a set-up that comes near the paper's tables; writes candidates.csv, setup-1.toml, ...");
     const auto options = std::make_shared<CalibrateOptions>();
     command->add_option("PLAN", options->plan, "A .toml file as those in models/calibrations")->required();
     command->add_option("--out", options->out, "Folder to write to")->required()->type_name("DIR");

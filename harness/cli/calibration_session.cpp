@@ -26,7 +26,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double report_interval_s = 10;
 constexpr std::uint32_t most_last_trials = 500; // that count; of a short run, its last tenth
-constexpr std::size_t written_setups = 2;       // the best, and another one for comparison
 constexpr const char *screening = "screening";
 constexpr const char *finals = "finals";
 
@@ -140,7 +139,7 @@ bool CalibrationSession::judge(const std::string &stage, std::size_t place, cons
 
 double CalibrationSession::error_limit(const std::string &stage) const
 {
-    const std::size_t kept = stage == finals ? written_setups : std::max(plan_.finalists, plan_.search.parents);
+    const std::size_t kept = stage == finals ? 1 : std::max(plan_.finalists, plan_.search.parents);
     std::vector<double> errors;
     for (const Candidate &candidate : candidates_) {
         if (candidate.stage == stage) errors.push_back(candidate.distance.error_rad);
@@ -222,7 +221,7 @@ void CalibrationSession::write_setups() const
     std::stable_sort(finalists.begin(), finalists.end(), [](const Candidate *a, const Candidate *b) {
         return a->distance.error_rad < b->distance.error_rad;
     });
-    for (std::size_t rank = 0; rank < std::min(written_setups, finalists.size()); ++rank) {
+    for (std::size_t rank = 0; rank < finalists.size(); ++rank) {
         write_setup(*finalists[rank], folder_ / ("setup-" + std::to_string(rank + 1) + ".toml"));
     }
 }

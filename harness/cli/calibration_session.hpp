@@ -23,7 +23,7 @@ class CalibrationSession
     CalibrationSession(calibration::CalibrationPlan plan, results::PaperValues paper, record::RunSpecification common,
                        std::filesystem::path models, std::filesystem::path folder, std::size_t jobs);
 
-    // Search, train the finalists in full, and write the best two of them as setup-1.toml and setup-2.toml. False if Ctrl-C came in between.
+    // Search, train the finalists in full, and write each as setup-RANK.toml. False if Ctrl-C came in between.
     bool run();
 
   private:
@@ -34,7 +34,7 @@ class CalibrationSession
     // The candidate of a point, from the file or from runs; appended to candidates_. False after Ctrl-C.
     bool judge(const std::string &stage, std::size_t place, const calibration::Point &point,
                const calibration::Effort &effort);
-    // The error beyond which a point of `stage` is of no use: it would be neither a parent nor a finalist, nor one of the best of these.
+    // The error beyond which a point of `stage` is of no use: it would be neither a parent nor a finalist, nor the best of these.
     double error_limit(const std::string &stage) const;
     // Train object by object until the error, which only grows, is beyond the limit. False after Ctrl-C.
     bool train(Candidate &candidate, const calibration::Effort &effort) const;
