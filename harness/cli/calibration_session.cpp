@@ -232,9 +232,10 @@ void CalibrationSession::write_setup(const Candidate &candidate, const std::file
     const std::vector<std::string> comments = {
         "Found by `twiddle calibrate` with the plan " + plan_.name + ": point " + std::to_string(candidate.place) +
             " of " + std::to_string(plan_.search.random + plan_.search.refined) + ".",
-        "Root mean square of ln(ours / paper) over the " + std::to_string(distance.pairs) +
-            " cells compared: " + error_text(distance.error_rad) + " in rad, " + error_text(distance.error_scaled) +
-            " with one factor of " + error_text(distance.scale) + "."};
+        "Root mean square of ln(ours / paper) over " + std::to_string(distance.pairs) + " of " +
+            std::to_string(cells_.size()) + " cells: " + (distance.pairs < cells_.size() ? "at least " : "") +
+            error_text(distance.error_rad) + " in rad; " + error_text(distance.error_scaled) +
+            " over these with one factor of " + error_text(distance.scale) + "."};
     record::PartFile file(path);
     file.write(calibration::setup_text(plan_.setup.settings, plan_.variables, candidate.values, comments));
     file.finish();
