@@ -58,7 +58,7 @@ const std::string one_block = "trials = 10\n[[runs]]\nobjects = [\"small-cube\"]
 TEST(SweepManifest, files_of_the_repository_have_their_counts)
 {
     const std::vector<std::tuple<std::string, std::size_t, std::uint32_t>> expected = {
-        {"paper", 180, 5000}, {"full", 1440, 5000}, {"smoke", 12, 300}, {"choices", 630, 5000}};
+        {"paper", 180, 5000}, {"full", 1440, 5000}, {"smoke", 12, 300}, {"choices", 360, 5000}, {"choices-more", 300, 5000}};
     for (const auto &[name, runs, trials] : expected) {
         const SweepPlan plan = plan_of(name);
         EXPECT_EQ(plan.name, name);
