@@ -13,6 +13,16 @@ namespace
 
 constexpr double rad_per_deg = 0.017453292519943295;
 
+// From `first` to `last` in steps of `step`, the ends included where a step meets them.
+std::vector<double> values_between(double first, double last, double step)
+{
+    std::vector<double> values;
+    for (int i = 0; first + i * step <= last; ++i) {
+        values.push_back(first + i * step);
+    }
+    return values;
+}
+
 bool holds(const std::pair<double, double> &window, double value)
 {
     return value >= window.first && value <= window.second;
@@ -51,7 +61,7 @@ bool Reach::straight_hand_is_clear(const sim::ObjectSpec &object)
 std::optional<double> Reach::first_contact_deg(sim::Finger finger, const sim::ObjectSpec &object,
                                                sim::JointVector angle_rad, sim::Joint flexion, double last_deg)
 {
-    for (double flexion_deg = 0; flexion_deg <= last_deg; flexion_deg += reach_step_deg) {
+    for (const double flexion_deg : values_between(0, last_deg, reach_step_deg)) {
         angle_rad[flexion] = flexion_deg * rad_per_deg;
         if (touches(finger, object, angle_rad)) return flexion_deg;
     }
@@ -75,7 +85,7 @@ std::optional<double> Reach::thumb_contact_deg(const sim::ObjectSpec &object, do
 bool Reach::index_fits(const sim::ObjectSpec &object, const ReachWindow &window)
 {
     const auto [first_deg, last_deg] = window.index_aai_deg;
-    for (double aai_deg = first_deg; aai_deg <= last_deg; aai_deg += abduction_step_deg) {
+    for (const double aai_deg : values_between(first_deg, last_deg, abduction_step_deg)) {
         const std::optional<double> contact_deg = index_contact_deg(object, aai_deg, window.index_fei_deg.second);
         if (contact_deg && holds(window.index_fei_deg, *contact_deg)) return true;
     }
@@ -85,7 +95,7 @@ bool Reach::index_fits(const sim::ObjectSpec &object, const ReachWindow &window)
 bool Reach::thumb_fits(const sim::ObjectSpec &object, const ReachWindow &window)
 {
     const auto [first_deg, last_deg] = window.thumb_ot_deg;
-    for (double ot_deg = first_deg; ot_deg <= last_deg; ot_deg += opposition_step_deg) {
+    for (const double ot_deg : values_between(first_deg, last_deg, opposition_step_deg)) {
         const std::optional<double> contact_deg = thumb_contact_deg(object, ot_deg, window.thumb_fet_deg.second);
         if (contact_deg && holds(window.thumb_fet_deg, *contact_deg)) return true;
     }
