@@ -31,11 +31,11 @@ std::string complaint(const std::string &text)
 }
 
 // The three objects are one a size and one a shape, so that six are held out.
-TEST(CalibrationPlan, the_repository_compares_three_objects_and_trains_ten_finalists_in_full)
+TEST(CalibrationPlan, the_repository_compares_three_objects_and_trains_twelve_finalists_in_full)
 {
     const CalibrationPlan plan = read_calibration_plan(models / "calibrations" / "paper.toml", models);
     EXPECT_EQ(plan.objects, (std::vector<std::string>{"small-sphere", "medium-cylinder", "large-cube"}));
-    EXPECT_EQ(plan.finalists, 10U);
+    EXPECT_EQ(plan.finalists, 12U);
     EXPECT_EQ(plan.finals.trials, 5000U);
     EXPECT_EQ(plan.finals.seeds, 4U);
     EXPECT_EQ(plan.reach.index_fei_deg, (std::pair<double, double>(25, 60)));
