@@ -19,6 +19,7 @@ LEAST_CORRELATION = 0.9
 LEAST_CORRELATION_OF_LIKES = 0.99
 
 # Where no finger reaches the object: the furthest place that the settings allow.
+ROUNDING_RAD = 1e-12  # MuJoCo places the centre of mass on the hinge with a rounding, and gravity turns it by 1e-33 rad
 OUT_OF_REACH_M = 0.2
 # Where the two models of contact hardly differ. MuJoCo's law of friction is convex, at the price that a sliding contact
 # separates at friction x slip speed; and its cubes and cylinders have sharp edges.
@@ -91,7 +92,8 @@ class MuJoCo(unittest.TestCase):
         run = self.ours.copy_with(self.runs[policy], changes)
         trial = self.ours.replay(run)
         theirs_rad, rotation_rad = self.in_mujoco(policy, run, trial.desired_rad, their_substeps, options)
-        self.assertFalse(trial.contact_n.any() or trial.rotation_rad.any() or rotation_rad.any(), f"{policy}: a contact")
+        self.assertFalse(trial.contact_n.any() or trial.rotation_rad.any(), f"{policy}: a contact")
+        self.assertLess(np.abs(rotation_rad).max(), ROUNDING_RAD, f"{policy}: a contact")
         self.assertGreater(np.ptp(trial.actual_rad, axis=0).max(), 0.1, f"{policy}: the hand hardly moves")
         return np.abs(trial.actual_rad - theirs_rad).max()
 
