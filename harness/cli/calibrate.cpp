@@ -6,18 +6,14 @@
 #include "stop_request.hpp"
 #include "sweep_folder.hpp"
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
-#include <thread>
 
 namespace twiddle::cli
 {
 
 namespace
 {
-
-constexpr std::uint64_t most_jobs = 1024;
 
 struct CalibrateOptions {
     std::string plan;
@@ -38,8 +34,7 @@ calibration::CalibrationPlan read_plan(const std::string &path, const std::files
 
 int calibrate(const CalibrateOptions &options)
 {
-    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-    const std::uint64_t jobs = options.jobs.empty() ? processors : whole_number("--jobs", options.jobs, 1, most_jobs);
+    const std::size_t jobs = jobs_at_a_time(options.jobs);
     const std::filesystem::path models = models_dir(options.models_dir);
     const RunOptions defaults;
     record::RunSpecification common;
@@ -50,8 +45,7 @@ int calibrate(const CalibrateOptions &options)
     results::PaperValues paper = results::read_paper_values(options.paper_dir);
     make_folder(options.out);
     catch_stop_signals();
-    CalibrationSession session(std::move(plan), std::move(paper), std::move(common), models, options.out,
-                               static_cast<std::size_t>(jobs));
+    CalibrationSession session(std::move(plan), std::move(paper), std::move(common), models, options.out, jobs);
     if (session.run()) return 0;
     std::cerr << "twiddle: stopped; the same command goes on\n";
     return 128 + stop_signal(); // as a shell reports it

@@ -2,18 +2,16 @@
 
 #include "experiment/training.hpp"
 #include "record/part_file.hpp"
-#include "results/statistics.hpp"
+#include "results/table_text.hpp"
 #include "sim/hand_model.hpp"
 #include "stop_request.hpp"
 #include "worker_pool.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <stdexcept>
 
 namespace twiddle::cli
@@ -25,7 +23,6 @@ namespace
 using Clock = std::chrono::steady_clock;
 
 constexpr double report_interval_s = 10;
-constexpr std::uint32_t most_last_trials = 500; // that count; of a short run, its last tenth
 constexpr const char *screening = "screening";
 constexpr const char *finals = "finals";
 
@@ -49,7 +46,8 @@ TaskEnd train_run(const record::RunSpecification &specification, const std::file
                   const Reporter &report)
 {
     experiment::Training training(specification, models);
-    const std::uint32_t last = std::clamp(specification.trials / 10, 1U, most_last_trials);
+    // As many as count in a sweep; of a short run its last tenth.
+    const std::uint32_t last = std::clamp(specification.trials / 10, 1U, results::most_last_trials);
     double sum_rad = 0;
     for (std::uint32_t trial = 1; trial <= specification.trials; ++trial) {
         if (stop_signal() != 0) return TaskEnd::stopped;
@@ -61,13 +59,6 @@ TaskEnd train_run(const record::RunSpecification &specification, const std::file
     result.result = sum_rad / last;
     report(result);
     return TaskEnd::complete;
-}
-
-std::string error_text(double error)
-{
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(3) << error;
-    return text.str();
 }
 
 } // namespace
@@ -234,8 +225,8 @@ void CalibrationSession::write_setup(const Candidate &candidate, const std::file
             " of " + std::to_string(plan_.search.random + plan_.search.refined) + ".",
         "Root mean square of ln(ours / paper) over " + std::to_string(distance.pairs) + " of " +
             std::to_string(cells_.size()) + " cells: " + (distance.pairs < cells_.size() ? "at least " : "") +
-            error_text(distance.error_rad) + " in rad; " + error_text(distance.error_scaled) +
-            " over these with one factor of " + error_text(distance.scale) + "."};
+            results::fixed(distance.error_rad, 3) + " in rad; " + results::fixed(distance.error_scaled, 3) +
+            " over these with one factor of " + results::fixed(distance.scale, 3) + "."};
     record::PartFile file(path);
     file.write(calibration::setup_text(plan_.setup.settings, plan_.variables, candidate.values, comments));
     file.finish();
@@ -260,8 +251,8 @@ void CalibrationSession::report(bool trained)
         best = std::min(best, candidate.distance.error_rad);
     }
     const std::size_t all = stage == screening ? plan_.search.random + plan_.search.refined : plan_.finalists;
-    std::cerr << stage << ": " << done << " of " << all << " set-ups, least error " << error_text(best) << ", after "
-              << std::lround(std::chrono::duration<double>(now - start_).count()) << " s\n";
+    std::cerr << stage << ": " << done << " of " << all << " set-ups, least error " << results::fixed(best, 3)
+              << ", after " << std::lround(std::chrono::duration<double>(now - start_).count()) << " s\n";
 }
 
 } // namespace twiddle::cli

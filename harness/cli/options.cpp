@@ -9,12 +9,15 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <thread>
 
 namespace twiddle::cli
 {
 
 namespace
 {
+
+constexpr std::uint64_t most_jobs = 1024;
 
 // An option with a fixed list of values, of which this version knows some.
 struct Choice {
@@ -171,6 +174,12 @@ std::uint64_t whole_number(const std::string &option, const std::string &text, s
         throw UsageError(option + " " + text + ": expected a whole number from " + std::to_string(lower) + " to " +
                          std::to_string(upper));
     return *value;
+}
+
+std::size_t jobs_at_a_time(const std::string &text)
+{
+    if (text.empty()) return std::max(1U, std::thread::hardware_concurrency());
+    return static_cast<std::size_t>(whole_number("--jobs", text, 1, most_jobs));
 }
 
 std::string comma_list(const std::vector<std::string> &names)

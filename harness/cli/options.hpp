@@ -53,6 +53,9 @@ record::RunSpecification run_specification(const RunOptions &options, const std:
 std::uint64_t whole_number(const std::string &option, const std::string &text, std::uint64_t lower,
                            std::uint64_t upper);
 
+// How many runs to do at a time: --jobs, or one a processor where `text` is empty. Throws UsageError.
+std::size_t jobs_at_a_time(const std::string &text);
+
 // "a, b, c".
 std::string comma_list(const std::vector<std::string> &names);
 

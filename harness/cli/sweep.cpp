@@ -7,20 +7,16 @@
 #include "sweep_folder.hpp"
 #include "sweep_session.hpp"
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
-#include <thread>
 
 namespace twiddle::cli
 {
 
 namespace
 {
-
-constexpr std::uint64_t most_jobs = 1024;
 
 struct SweepOptions {
     std::string manifest;
@@ -102,8 +98,7 @@ int print_missing(const SweepSession &session, const std::vector<std::size_t> &c
 
 int sweep(const SweepOptions &options, const std::vector<std::string> &arguments)
 {
-    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-    const std::uint64_t jobs = options.jobs.empty() ? processors : whole_number("--jobs", options.jobs, 1, most_jobs);
+    const std::size_t jobs = jobs_at_a_time(options.jobs);
     const std::filesystem::path models = models_dir(options.models_dir);
     const experiment::SweepPlan plan = read_plan(options, models);
     const std::vector<std::size_t> chosen = chosen_runs(options, plan.runs.size());
@@ -111,7 +106,7 @@ int sweep(const SweepOptions &options, const std::vector<std::string> &arguments
     SweepSession session(plan, options.out, models,
                          [&](std::size_t index) { return command_of(arguments.front(), options, index); });
     if (options.list_missing) return print_missing(session, chosen);
-    return conclude(session.run(chosen, static_cast<std::size_t>(jobs)), chosen.size(), options.out);
+    return conclude(session.run(chosen, jobs), chosen.size(), options.out);
 }
 
 } // namespace
