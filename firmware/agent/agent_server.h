@@ -8,7 +8,7 @@
 #define TWIDDLE_AGENT_AGENT_SERVER_H
 
 #include "agent/frame.h"
-#include "agent/messages.h"
+#include "agent/transfer.h"
 
 #ifdef __cplusplus
 extern "C" {

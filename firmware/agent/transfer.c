@@ -1,4 +1,4 @@
-#include "agent/messages.h"
+#include "agent/transfer.h"
 
 #include <string.h>
 

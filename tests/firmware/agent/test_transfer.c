@@ -1,7 +1,7 @@
-/* Messages: both directions of each say the same, and what is cut, too long or out of range is refused. */
+/* Payloads: both directions of each say the same, and what is cut, too long or out of range is refused. */
 #include "agent_test.h"
 
-#include "agent/messages.h"
+#include "agent/transfer.h"
 
 /* Fill an object with random bytes. */
 static void scribble(uint64_t *random, void *object, size_t size)
@@ -231,5 +231,5 @@ int main(void)
         cmocka_unit_test(finger_comes_back),     cmocka_unit_test(joint_comes_back),
         cmocka_unit_test(learner_comes_back),    cmocka_unit_test(payload_does_not_outgrow_its_frame),
     };
-    return cmocka_run_group_tests_name("messages", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("transfer", tests, NULL, NULL);
 }
