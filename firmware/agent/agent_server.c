@@ -119,7 +119,7 @@ static enum twd_refusal substep(struct twd_agent_server *server)
     const size_t joints = server->controller.config.joints;
     uint32_t flags = 0;
     twd_num angle_rad[TWD_MAX_JOINTS];
-    twd_num velocity_rad_s[TWD_MAX_JOINTS];
+    twd_rate velocity_rad_s[TWD_MAX_JOINTS];
     struct twd_transfer request = twd_transfer_from(&server->request);
     twd_transfer_words(&request, &flags, 1);
     twd_transfer_words(&request, angle_rad, joints);
@@ -140,10 +140,10 @@ static enum twd_refusal substep(struct twd_agent_server *server)
 
 static enum twd_refusal learn(struct twd_agent_server *server)
 {
-    twd_num reward;
+    twd_wide reward;
     const enum twd_refusal refusal = request_words(server, &reward, 1);
     if (refusal != TWD_REFUSAL_NONE) return refusal;
-    twd_num td_error = twd_agent_learn(&server->learner, reward);
+    twd_wide td_error = twd_agent_learn(&server->learner, reward);
     server->phase = TWD_AGENT_BETWEEN_TRIALS;
     return answer_words(server, &td_error, 1);
 }

@@ -80,8 +80,8 @@ void twd_transfer_words(struct twd_transfer *transfer, void *words, size_t count
     }
 }
 
-/* One of the library's numbers; the array's size says that it is one word. */
-static void number(struct twd_transfer *transfer, twd_num *value)
+/* One of the library's numbers, of any of its types. */
+static void number(struct twd_transfer *transfer, void *value)
 {
     twd_transfer_words(transfer, value, 1);
 }

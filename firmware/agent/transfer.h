@@ -73,7 +73,7 @@ void twd_transfer_learner(struct twd_transfer *transfer, struct twd_agent_config
 
 /* What a trial starts with: the answer to TWD_REQUEST_ACT, for a model of `cpgs` CPGs. */
 struct twd_trial_start {
-    twd_num value;                /* E, the critic's estimate */
+    twd_wide value;               /* E, the critic's estimate */
     twd_num noise;                /* half-range in force */
     twd_num weight[TWD_MAX_CPGS]; /* [cpgs] s_k, in the model's order */
 };

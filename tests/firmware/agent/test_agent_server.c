@@ -3,16 +3,17 @@
 
 #include "agent/agent_server.h"
 
+#include <twiddle/convert.h>
 #include <twiddle/icub_right_hand.h>
 #include <twiddle/input_map.h>
 
 #define JOINTS 4
 #define UNITS 22
 
-/* A pseudo-random number in [-1, 1) in any number build. */
-static twd_num fraction(uint64_t *random)
+/* A pseudo-random number in [-1, 1). */
+static double fraction(uint64_t *random)
 {
-    return twd_ratio((int32_t)random_below(random, 2000000) - 1000000, 1000000);
+    return ((double)random_below(random, 2000000) - 1e6) / 1e6;
 }
 
 /* CPG-H on the iCub hand, thumb and index weighed. */
@@ -24,9 +25,9 @@ static struct twd_controller_config controller_config(void)
     memset(&config, 0, sizeof config);
     config.model = &twd_model_h;
     config.oscillators.with_centre = true;
-    config.oscillators.tick_s = TWD_NUM(0.01);
-    config.oscillators.amplitude_rate_per_s = TWD_NUM(5);
-    config.oscillators.centre_rate_per_s = TWD_NUM(5);
+    config.oscillators.tick_s = TWD_SMALL(0.01);
+    config.oscillators.amplitude_rate_per_s = TWD_RATE(5);
+    config.oscillators.centre_rate_per_s = TWD_RATE(5);
     config.ranges = (struct twd_parameter_ranges){TWD_NUM(0.5), TWD_NUM(1.5), TWD_NUM(1), TWD_NUM(0.5), 0, TWD_NUM(1)};
     config.joints = JOINTS;
     for (int j = 0; j < JOINTS; j++) {
@@ -38,7 +39,7 @@ static struct twd_controller_config controller_config(void)
     static const uint8_t joints[2][2] = {{TWD_ICUB_AAI, TWD_ICUB_FEI}, {TWD_ICUB_OT, TWD_ICUB_FET}};
     for (int f = 0; f < 2; f++) {
         const struct twd_chain *const chain = f == 0 ? &twd_icub_index : &twd_icub_thumb;
-        assert_int_equal(twd_gravity_init(&config.finger[f].gravity, chain, 2, held, TWD_NUM(9.8), down), TWD_OK);
+        assert_int_equal(twd_gravity_init(&config.finger[f].gravity, chain, 2, held, TWD_WIDE(9.8), down), TWD_OK);
         memcpy(config.finger[f].joint, joints[f], 2);
     }
     return config;
@@ -164,10 +165,10 @@ static void move_both(struct twd_agent_server *server, struct direct *direct, bo
 {
     uint32_t request[1 + 2 * JOINTS] = {tick ? TWD_SUBSTEP_TICK : 0U};
     twd_num angle_rad[JOINTS];
-    twd_num velocity_rad_s[JOINTS];
+    twd_rate velocity_rad_s[JOINTS];
     for (int j = 0; j < JOINTS; j++) {
-        angle_rad[j] = fraction(random);
-        velocity_rad_s[j] = fraction(random);
+        angle_rad[j] = twd_num_from_double(2 * fraction(random));
+        velocity_rad_s[j] = twd_rate_from_double(20 * fraction(random));
     }
     memcpy(request + 1, angle_rad, sizeof angle_rad);
     memcpy(request + 1 + JOINTS, velocity_rad_s, sizeof velocity_rad_s);
@@ -215,7 +216,7 @@ static void server_equals_the_library(void **state)
     twd_num input[TWD_INPUTS];
     (void)state;
     print_message("seed 20110824\n");
-    twd_input_map(TWD_SHAPE_SPHERE, TWD_NUM(0.03), TWD_NUM(10), input);
+    twd_input_map(TWD_SHAPE_SPHERE, TWD_NUM(0.03), TWD_WIDE(10), input);
     begin(&server);
     begin_direct(&direct);
     for (int trial = 0; trial < 10; trial++) {
@@ -223,10 +224,10 @@ static void server_equals_the_library(void **state)
         twd_num desired_rad[TWD_MAX_JOINTS] = {0};
         for (int i = 0; trial != 5 && i < 100; i++)
             move_both(&server, &direct, i % 5 == 0, desired_rad, &random);
-        twd_num reward = fraction(&random);
-        twd_num td_error;
+        twd_wide reward = twd_wide_from_double(5 * fraction(&random));
+        twd_wide td_error;
         exchange(&server, TWD_REQUEST_LEARN, &reward, 1, &td_error, 1);
-        const twd_num expected = twd_agent_learn(&direct.learner, reward);
+        const twd_wide expected = twd_agent_learn(&direct.learner, reward);
         assert_memory_equal(&td_error, &expected, sizeof expected);
     }
     assert_true(direct.controller.saturations.torque > 0);
