@@ -1,6 +1,6 @@
+#include "../pseudo_terminal.hpp"
 #include "../scratch_folder.hpp"
 #include "link/serial_port.hpp"
-#include "pseudo_terminal.hpp"
 
 #include <gtest/gtest.h>
 
