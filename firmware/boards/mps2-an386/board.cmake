@@ -1,0 +1,1 @@
+include(boards/cortex-m/board.cmake)
