@@ -1,0 +1,28 @@
+/* The seven oscillators in float with the C library's sinf and cosf. */
+#include "seven.h"
+
+#include <math.h>
+
+typedef float real;
+#define SINE sinf
+#define COSINE cosf
+#define EXP expf
+#include "libm_oscillators.h"
+
+static struct libm_network network;
+
+void seven_start(const double *parameter, const struct drive *drive)
+{
+    (void)parameter;
+    libm_start(&network, drive);
+}
+
+void seven_tick(void)
+{
+    libm_tick(&network);
+}
+
+double seven_output(size_t index)
+{
+    return (double)network.output[index];
+}
