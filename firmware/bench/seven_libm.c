@@ -4,9 +4,10 @@
 #include <math.h>
 
 typedef float real;
-#define SINE sinf
-#define COSINE cosf
-#define EXP expf
+/* In avr-libc the names stand for the functions of doubles, which are floats there. */
+#define SINE(angle_rad) ((real)sinf(angle_rad))
+#define COSINE(angle_rad) ((real)cosf(angle_rad))
+#define EXP(exponent) ((real)expf(exponent))
 #include "libm_oscillators.h"
 
 static struct libm_network network;

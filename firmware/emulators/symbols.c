@@ -30,6 +30,7 @@ static bool take_functions(struct symbol_table *table, Elf *elf, Elf_Scn *sectio
     GElf_Ehdr file;
     Elf_Data *const data = elf_getdata(section, NULL);
     if (data == NULL || gelf_getehdr(elf, &file) == NULL) return true;
+    table->machine = file.e_machine;
 
     GElf_Sym symbol;
     for (int i = 0; gelf_getsym(data, i, &symbol) != NULL; i++) {

@@ -18,6 +18,7 @@ struct function_symbol {
 
 /* All functions of an image, by ascending address; those at one address by name. */
 struct symbol_table {
+    uint16_t machine; /* EM_ARM, EM_AVR, ... of <elf.h> */
     size_t count;
     struct function_symbol function[SYMBOLS_MAX];
 };
