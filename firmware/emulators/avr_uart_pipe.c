@@ -6,6 +6,10 @@
 #include <stdio.h>
 #include <unistd.h>
 
+/* UART0's control register, as a data address, and its bit that turns the receiver on. */
+enum { UCSR0B_ADDRESS = 0xC1, RXEN0_MASK = 1 << 4 };
+
+static const avr_t *board;
 static avr_irq_t *input;
 static bool has_room = true;
 static bool at_end;
@@ -30,6 +34,7 @@ void avr_uart_pipe_join(avr_t *avr)
 {
     static bool yes = true;
     static bool no = false;
+    board = avr;
     /* Neither simavr's own printing of lines, nor its sleeping when the image polls. */
     uint32_t flags = 0;
     avr_ioctl(avr, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
@@ -42,7 +47,8 @@ void avr_uart_pipe_join(avr_t *avr)
 void avr_uart_pipe_feed(void)
 {
     struct pollfd waiting = {STDIN_FILENO, POLLIN, 0};
-    if (at_end || !has_room || poll(&waiting, 1, 0) <= 0) return;
+    const bool listens = board->data[UCSR0B_ADDRESS] & RXEN0_MASK;
+    if (at_end || !listens || !has_room || poll(&waiting, 1, 0) <= 0) return;
     unsigned char byte;
     at_end = read(STDIN_FILENO, &byte, 1) <= 0;
     if (!at_end) avr_raise_irq(input, byte);

@@ -9,7 +9,7 @@
 /* Join UART0 of `avr` to standard output. */
 void avr_uart_pipe_join(avr_t *avr);
 
-/* Hand the UART one byte of standard input, if there is one and the UART has room for it; never waits. */
+/* Hand the UART one byte of standard input, if there is one and the image listens and keeps up; never waits. */
 void avr_uart_pipe_feed(void);
 
 /* Whether all that was sent could be written. */
