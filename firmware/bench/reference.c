@@ -6,18 +6,18 @@ typedef double real;
 #define SINE sin
 #define COSINE cos
 #define EXP exp
-#include "libm_oscillators.h"
+#include "real_oscillators.h"
 
-static struct libm_network network;
+static struct real_network network;
 
 void reference_start(const struct drive *drive)
 {
-    libm_start(&network, drive);
+    real_start(&network, drive);
 }
 
 void reference_tick(void)
 {
-    libm_tick(&network);
+    real_tick(&network);
 }
 
 double reference_output(size_t index)

@@ -8,19 +8,19 @@ typedef float real;
 #define SINE(angle_rad) ((real)sinf(angle_rad))
 #define COSINE(angle_rad) ((real)cosf(angle_rad))
 #define EXP(exponent) ((real)expf(exponent))
-#include "libm_oscillators.h"
+#include "real_oscillators.h"
 
-static struct libm_network network;
+static struct real_network network;
 
 void seven_start(const double *parameter, const struct drive *drive)
 {
     (void)parameter;
-    libm_start(&network, drive);
+    real_start(&network, drive);
 }
 
 void seven_tick(void)
 {
-    libm_tick(&network);
+    real_tick(&network);
 }
 
 double seven_output(size_t index)

@@ -1,4 +1,5 @@
-/* libm_oscillators.h: the seven oscillators with the C library's sine and cosine, as controller/src/cpg.c and twiddle/filter.h have them.
+/* real_oscillators.h: the seven oscillators in a floating-point type, with a library's sine and cosine; otherwise as
+ * controller/src/cpg.c and twiddle/filter.h have them.
  *
  * The source that includes it defines the type `real` and the macros SINE, COSINE and EXP for it first. Angles are in rad. */
 #include "drive.h"
@@ -7,20 +8,20 @@
 
 #define TWO_PI ((real)6.283185307179586)
 
-struct libm_filter {
+struct real_filter {
     real value;
     real velocity; /* divided by half the rate */
 };
 
-struct libm_oscillator {
+struct real_oscillator {
     real phase_rad; /* [0, 2 pi) */
     real last_pull;
-    struct libm_filter amplitude;
-    struct libm_filter centre;
+    struct real_filter amplitude;
+    struct real_filter centre;
 };
 
-struct libm_network {
-    struct libm_oscillator oscillator[DRIVE_OSCILLATORS];
+struct real_network {
+    struct real_oscillator oscillator[DRIVE_OSCILLATORS];
     real target_amplitude[DRIVE_OSCILLATORS];
     real target_centre[DRIVE_OSCILLATORS];
     real lag_rad[DRIVE_COUPLINGS];
@@ -31,7 +32,7 @@ struct libm_network {
     real output[DRIVE_OSCILLATORS];
 };
 
-static void libm_start(struct libm_network *network, const struct drive *drive)
+static void real_start(struct real_network *network, const struct drive *drive)
 {
     const real k = (real)(DRIVE_RATE_PER_S * DRIVE_TICK_S / 2);
     const real decay = EXP(-k);
@@ -40,16 +41,16 @@ static void libm_start(struct libm_network *network, const struct drive *drive)
     network->velocity_from_velocity = decay * (1 - k);
     network->advance_rad = TWO_PI * (real)drive->frequency_hz * (real)DRIVE_TICK_S;
     for (size_t i = 0; i < DRIVE_OSCILLATORS; i++) {
-        const struct libm_oscillator at_start = {0, 0, {0, 0}, {(real)drive->initial_centre[i], 0}};
+        const struct real_oscillator at_start = {0, 0, {0, 0}, {(real)drive->initial_centre[i], 0}};
         network->oscillator[i] = at_start;
         network->target_amplitude[i] = (real)drive->amplitude[i];
         network->target_centre[i] = (real)drive->centre[i];
     }
-    for (size_t index = 0; index < DRIVE_COUPLINGS; index++)
-        network->lag_rad[index] = TWO_PI * (real)drive->lag_turns[index];
+    for (size_t i = 0; i < DRIVE_COUPLINGS; i++)
+        network->lag_rad[i] = TWO_PI * (real)drive->lag_turns[i];
 }
 
-static inline void libm_filter_advance(const struct libm_network *network, struct libm_filter *filter, real target)
+static inline void real_filter_advance(const struct real_network *network, struct real_filter *filter, real target)
 {
     const real error = filter->value - target;
     const real velocity = filter->velocity;
@@ -57,26 +58,26 @@ static inline void libm_filter_advance(const struct libm_network *network, struc
     filter->velocity = network->velocity_from_velocity * velocity - network->mixed * error;
 }
 
-static inline void libm_tick(struct libm_network *network)
+static inline void real_tick(struct real_network *network)
 {
     real pull[DRIVE_OSCILLATORS] = {0};
     for (size_t k = 0; k < DRIVE_COUPLINGS; k++) {
         const struct drive_coupling coupling = drive_coupling[k];
-        const struct libm_oscillator *const first = &network->oscillator[coupling.first];
-        const struct libm_oscillator *const second = &network->oscillator[coupling.second];
+        const struct real_oscillator *const first = &network->oscillator[coupling.first];
+        const struct real_oscillator *const second = &network->oscillator[coupling.second];
         const real sine = SINE(second->phase_rad - first->phase_rad - network->lag_rad[k]);
         pull[coupling.first] += second->amplitude.value * sine;
         pull[coupling.second] -= first->amplitude.value * sine;
     }
     for (size_t i = 0; i < DRIVE_OSCILLATORS; i++) {
-        struct libm_oscillator *const oscillator = &network->oscillator[i];
+        struct real_oscillator *const oscillator = &network->oscillator[i];
         const real rate_rad_s = (real)1.5 * pull[i] - (real)0.5 * oscillator->last_pull;
         oscillator->last_pull = pull[i];
         oscillator->phase_rad += network->advance_rad + rate_rad_s * (real)DRIVE_TICK_S;
         if (oscillator->phase_rad >= TWO_PI) oscillator->phase_rad -= TWO_PI;
         if (oscillator->phase_rad < 0) oscillator->phase_rad += TWO_PI;
-        libm_filter_advance(network, &oscillator->amplitude, network->target_amplitude[i]);
-        libm_filter_advance(network, &oscillator->centre, network->target_centre[i]);
+        real_filter_advance(network, &oscillator->amplitude, network->target_amplitude[i]);
+        real_filter_advance(network, &oscillator->centre, network->target_centre[i]);
         network->output[i] = oscillator->centre.value + oscillator->amplitude.value * COSINE(oscillator->phase_rad);
     }
 }
