@@ -1,8 +1,20 @@
 #include "checks.h"
 
+static bool is_filter_rate(twd_rate rate_per_s, twd_small tick_s)
+{
+    return rate_per_s > TWD_RATE(0) && twd_num_mul_rate_small(rate_per_s, tick_s) <= TWD_LARGEST_RATE_TIMES_TICK;
+}
+
+static bool has_tables(const struct twd_topology *topology)
+{
+    if (!topology || !topology->joint_oscillator || !topology->initial_centre) return false;
+    return topology->coupling || topology->couplings == 0;
+}
+
 enum twd_error twd_check_cpg(const struct twd_topology *topology, const struct twd_cpg_config *config)
 {
-    const twd_num tick_s = config->tick_s;
+    if (!has_tables(topology)) return TWD_ERROR_NULL;
+    const twd_small tick_s = config->tick_s;
     if (topology->oscillators < 1 || topology->oscillators > TWD_MAX_OSCILLATORS) return TWD_ERROR_TOO_MANY_OSCILLATORS;
     if (topology->couplings > TWD_MAX_COUPLINGS) return TWD_ERROR_TOO_MANY_COUPLINGS;
     if (topology->joints < 1 || topology->joints > TWD_MAX_JOINTS) return TWD_ERROR_TOO_MANY_JOINTS;
@@ -18,13 +30,9 @@ enum twd_error twd_check_cpg(const struct twd_topology *topology, const struct t
     for (uint8_t i = 0; i < topology->oscillators; i++)
         if (!twd_within(topology->initial_centre[i], TWD_NUM(0), TWD_NUM(1))) return TWD_ERROR_RANGE;
 
-    if (!(tick_s > TWD_NUM(0)) || tick_s > TWD_NUM(0.1)) return TWD_ERROR_TICK;
-    /* Products of rate and tick are at most 32 (filter.h). */
-    const twd_num fastest_per_s = twd_div(TWD_NUM(32), tick_s);
-    const twd_num amplitude_rate_per_s = config->amplitude_rate_per_s;
-    const twd_num centre_rate_per_s = config->centre_rate_per_s;
-    if (!(amplitude_rate_per_s > TWD_NUM(0)) || amplitude_rate_per_s > fastest_per_s) return TWD_ERROR_RANGE;
-    if (!(centre_rate_per_s > TWD_NUM(0)) || centre_rate_per_s > fastest_per_s) return TWD_ERROR_RANGE;
+    if (!(tick_s > TWD_SMALL(0)) || tick_s > TWD_SMALL(0.1)) return TWD_ERROR_TICK;
+    if (!is_filter_rate(config->amplitude_rate_per_s, tick_s)) return TWD_ERROR_RANGE;
+    if (!is_filter_rate(config->centre_rate_per_s, tick_s)) return TWD_ERROR_RANGE;
     if (config->return_lag != TWD_RETURN_LAG_NEGATED && config->return_lag != TWD_RETURN_LAG_EQUAL)
         return TWD_ERROR_RANGE;
     if (config->centre_start != TWD_CENTRE_START_AT_TOPOLOGY && config->centre_start != TWD_CENTRE_START_AT_ZERO &&
@@ -36,6 +44,7 @@ enum twd_error twd_check_cpg(const struct twd_topology *topology, const struct t
 static enum twd_error check_model(const struct twd_controller_config *config)
 {
     const struct twd_model *const model = config->model;
+    if (!model) return TWD_ERROR_NULL;
     if (model->cpgs < 1 || model->cpgs > TWD_MAX_CPGS) return TWD_ERROR_TOO_MANY_CPGS;
 
     for (uint8_t k = 0; k < model->cpgs; k++) {
@@ -68,7 +77,7 @@ enum twd_error twd_check_pd(const struct twd_pd *pd)
 
 static enum twd_error check_joint(const struct twd_joint *joint)
 {
-    const twd_num half_turn_rad = TWD_NUM(3.14159265358979324);
+    const twd_num half_turn_rad = TWD_NUM_CONSTANT(3.14159265358979324, 843314857);
     if (!(joint->lower_rad >= -half_turn_rad) || !(joint->upper_rad <= half_turn_rad)) return TWD_ERROR_RANGE;
     if (!(joint->lower_rad < joint->upper_rad)) return TWD_ERROR_RANGE;
     return twd_check_pd(&joint->pd);

@@ -6,16 +6,6 @@
 #include <twiddle/cpg.h>
 #include <twiddle/error.h>
 
-/* No quantity that the library is given is larger, in whatever unit; so no product of two overflows to infinity, and
- * no difference of such products fails to be a number. */
-#define TWD_LARGEST_SIZE TWD_NUM(1e6)
-
-/* Whether `value` is a number of a size that the library computes with. */
-static inline bool twd_is_usable(twd_num value)
-{
-    return twd_within(value, -TWD_LARGEST_SIZE, TWD_LARGEST_SIZE);
-}
-
 /* Whether a CPG can be made of `topology` and `config`. */
 enum twd_error twd_check_cpg(const struct twd_topology *topology, const struct twd_cpg_config *config);
 

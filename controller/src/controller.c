@@ -94,11 +94,11 @@ static void add_gravity(const struct twd_finger *finger, const twd_num *angle_ra
     }
     twd_gravity_torque(&finger->gravity, finger_angle_rad, finger_nm);
     for (size_t i = 0; i < moving; i++)
-        gravity_nm[finger->joint[i]] += finger_nm[i];
+        gravity_nm[finger->joint[i]] = twd_add_saturated(gravity_nm[finger->joint[i]], finger_nm[i]);
 }
 
 void twd_controller_torque(struct twd_controller *controller, const twd_num *desired_angle_rad,
-                           const twd_num *angle_rad, const twd_num *velocity_rad_s, twd_num *torque_nm)
+                           const twd_num *angle_rad, const twd_rate *velocity_rad_s, twd_num *torque_nm)
 {
     const struct twd_controller_config *const config = &controller->config;
     twd_num gravity_nm[TWD_MAX_JOINTS] = {TWD_NUM(0)};
@@ -108,7 +108,8 @@ void twd_controller_torque(struct twd_controller *controller, const twd_num *des
 
     const size_t joints = config->joints;
     for (size_t j = 0; j < joints; j++) {
-        if (!twd_is_usable(desired_angle_rad[j]) || !twd_is_usable(angle_rad[j]) || !twd_is_usable(velocity_rad_s[j])) {
+        if (!twd_is_usable(desired_angle_rad[j]) || !twd_is_usable(angle_rad[j]) ||
+            !twd_rate_is_usable(velocity_rad_s[j])) {
             count_one(&controller->saturations.input);
             torque_nm[j] = TWD_NUM(0);
             continue;

@@ -4,8 +4,6 @@
 
 #include "checks.h"
 
-#define TURNS_PER_RADIAN TWD_NUM(0.15915494309189535)
-
 enum twd_error twd_cpg_init(struct twd_cpg *cpg, const struct twd_topology *topology,
                             const struct twd_cpg_config *config)
 {
@@ -19,6 +17,7 @@ enum twd_error twd_cpg_init(struct twd_cpg *cpg, const struct twd_topology *topo
     cpg->config = *config;
     cpg->amplitude_step = twd_filter_step_make(cpg->config.amplitude_rate_per_s, cpg->config.tick_s);
     cpg->centre_step = twd_filter_step_make(cpg->config.centre_rate_per_s, cpg->config.tick_s);
+    cpg->turn_gain = twd_turn_gain_of_tick(cpg->config.tick_s);
     twd_cpg_start(cpg, &at_rest, zero_phase);
     return TWD_OK;
 }
@@ -31,21 +30,45 @@ static twd_num initial_centre(const struct twd_cpg *cpg, uint8_t index)
     return cpg->topology->initial_centre[index];
 }
 
+twd_num twd_cpg_amplitude(const struct twd_cpg *cpg, uint8_t index)
+{
+    return twd_filter_value(&cpg->oscillator[index].amplitude, cpg->drive.amplitude[index]);
+}
+
+twd_num twd_cpg_centre(const struct twd_cpg *cpg, uint8_t index)
+{
+    return twd_filter_value(&cpg->oscillator[index].centre, cpg->drive.centre[index]);
+}
+
+static void find_outputs(struct twd_cpg *cpg)
+{
+    const uint8_t oscillators = cpg->topology->oscillators;
+    if (cpg->config.with_centre) {
+        for (uint8_t i = 0; i < oscillators; i++)
+            cpg->output[i] = twd_oscillator_output_with_centre(twd_cpg_centre(cpg, i), twd_cpg_amplitude(cpg, i),
+                                                               cpg->oscillator[i].phase);
+    } else {
+        for (uint8_t i = 0; i < oscillators; i++)
+            cpg->output[i] = twd_oscillator_output_without_centre(twd_cpg_amplitude(cpg, i), cpg->oscillator[i].phase);
+    }
+}
+
 void twd_cpg_start(struct twd_cpg *cpg, const struct twd_cpg_drive *drive, const twd_phase *initial_phase)
 {
-    static const struct twd_oscillator unused = {0, {TWD_NUM(0), TWD_NUM(0)}, {TWD_NUM(0), TWD_NUM(0)}};
-
     cpg->drive = *drive;
-    cpg->intrinsic_advance = twd_phase_from_turns(twd_mul(drive->frequency_hz, cpg->config.tick_s));
+    cpg->intrinsic_advance = twd_phase_from_frequency(drive->frequency_hz, cpg->config.tick_s);
     for (uint8_t i = 0; i < TWD_MAX_OSCILLATORS; i++) {
-        cpg->oscillator[i] = unused;
+        const bool used = i < cpg->topology->oscillators;
+        struct twd_oscillator *const oscillator = &cpg->oscillator[i];
+        oscillator->phase = used ? initial_phase[i] : 0;
+        oscillator->amplitude = twd_filter_start(TWD_NUM(0), used ? drive->amplitude[i] : TWD_NUM(0));
+        oscillator->centre =
+            twd_filter_start(used ? initial_centre(cpg, i) : TWD_NUM(0), used ? drive->centre[i] : TWD_NUM(0));
         /* All amplitudes are 0 at the start, and so is every pull: the extrapolation starts from its true value. */
-        cpg->last_pull[i] = TWD_NUM(0);
+        cpg->last_pull[i] = TWD_WIDE(0);
+        cpg->output[i] = TWD_NUM(0);
     }
-    for (uint8_t i = 0; i < cpg->topology->oscillators; i++) {
-        cpg->oscillator[i].phase = initial_phase[i];
-        cpg->oscillator[i].centre.value = initial_centre(cpg, i);
-    }
+    find_outputs(cpg);
 }
 
 /* Place the oscillator at one end of `coupling` by the one at its other end; whether there was one to place. */
@@ -82,47 +105,51 @@ void twd_cpg_phases_at_lag(const struct twd_topology *topology, const twd_phase 
 }
 
 /* The coupling sums of all oscillators, rad/s. */
-static void pulls(const struct twd_cpg *cpg, twd_num *pull)
+static void pulls(const struct twd_cpg *cpg, twd_wide *pull)
 {
     const struct twd_topology *const topology = cpg->topology;
     for (uint8_t i = 0; i < topology->oscillators; i++)
-        pull[i] = TWD_NUM(0);
+        pull[i] = TWD_WIDE(0);
 
     for (uint8_t k = 0; k < topology->couplings; k++) {
         const struct twd_coupling coupling = topology->coupling[k];
-        const struct twd_oscillator *const first = &cpg->oscillator[coupling.first];
-        const struct twd_oscillator *const second = &cpg->oscillator[coupling.second];
+        const twd_phase first = cpg->oscillator[coupling.first].phase;
+        const twd_phase second = cpg->oscillator[coupling.second].phase;
         const twd_phase lag = cpg->drive.phase_lag[k];
-        const twd_num sine = twd_sin(second->phase - first->phase - lag);
+        const twd_num sine = twd_sin(second - first - lag);
         /* With phi_ji = -phi_ij, the sine of the other direction is the negative of this one. */
         const twd_num return_sine =
-            cpg->config.return_lag == TWD_RETURN_LAG_EQUAL ? twd_sin(first->phase - second->phase - lag) : -sine;
-        pull[coupling.first] += twd_mul(second->amplitude.value, sine);
-        pull[coupling.second] += twd_mul(first->amplitude.value, return_sine);
+            cpg->config.return_lag == TWD_RETURN_LAG_EQUAL ? twd_sin(first - second - lag) : -sine;
+        pull[coupling.first] += twd_wide_product(twd_cpg_amplitude(cpg, coupling.second), sine);
+        pull[coupling.second] += twd_wide_product(twd_cpg_amplitude(cpg, coupling.first), return_sine);
+    }
+}
+
+static void advance_phases(struct twd_cpg *cpg)
+{
+    twd_wide pull[TWD_MAX_OSCILLATORS];
+    pulls(cpg, pull);
+    for (uint8_t i = 0; i < cpg->topology->oscillators; i++) {
+        /* Adams-Bashforth: (3/2) of this tick's rate less (1/2) of the last one's. */
+        const twd_wide rate_rad_s = pull[i] + twd_wide_half(pull[i] - cpg->last_pull[i]);
+        cpg->last_pull[i] = pull[i];
+        cpg->oscillator[i].phase += cpg->intrinsic_advance + twd_phase_from_rate(rate_rad_s, cpg->turn_gain);
     }
 }
 
 void twd_cpg_tick(struct twd_cpg *cpg)
 {
-    twd_num pull[TWD_MAX_OSCILLATORS];
-    pulls(cpg, pull);
-
-    for (uint8_t i = 0; i < cpg->topology->oscillators; i++) {
-        struct twd_oscillator *const oscillator = &cpg->oscillator[i];
-        /* Adams-Bashforth: (3/2) of this tick's rate less (1/2) of the last one's. */
-        const twd_num rate_rad_s = pull[i] + twd_mul(pull[i] - cpg->last_pull[i], TWD_NUM(0.5));
-        const twd_num pulled_turns = twd_mul(twd_mul(rate_rad_s, TURNS_PER_RADIAN), cpg->config.tick_s);
-        cpg->last_pull[i] = pull[i];
-
-        oscillator->phase += cpg->intrinsic_advance + twd_phase_from_turns(pulled_turns);
-        twd_filter_advance(&oscillator->amplitude, &cpg->amplitude_step, cpg->drive.amplitude[i]);
-        if (cpg->config.with_centre) twd_filter_advance(&oscillator->centre, &cpg->centre_step, cpg->drive.centre[i]);
-    }
+    const uint8_t oscillators = cpg->topology->oscillators;
+    advance_phases(cpg);
+    for (uint8_t i = 0; i < oscillators; i++)
+        twd_filter_advance(&cpg->oscillator[i].amplitude, &cpg->amplitude_step, cpg->drive.amplitude[i]);
+    if (cpg->config.with_centre)
+        for (uint8_t i = 0; i < oscillators; i++)
+            twd_filter_advance(&cpg->oscillator[i].centre, &cpg->centre_step, cpg->drive.centre[i]);
+    find_outputs(cpg);
 }
 
 twd_num twd_cpg_output(const struct twd_cpg *cpg, uint8_t index)
 {
-    const struct twd_oscillator *const oscillator = &cpg->oscillator[index];
-    if (cpg->config.with_centre) return twd_oscillator_output_with_centre(oscillator);
-    return twd_oscillator_output_without_centre(oscillator);
+    return cpg->output[index];
 }

@@ -31,6 +31,8 @@ const char *twd_error_text(enum twd_error error)
         return "each parameter must be a number from 0 to 1";
     case TWD_ERROR_LEARNER_SIZE:
         return "a learner must have at least one unit and one input and at most TWD_MAX_UNITS and TWD_MAX_INPUTS";
+    case TWD_ERROR_NULL:
+        return "a table or a setting that the set-up needs is a null pointer";
     }
     return "an unknown error";
 }

@@ -4,11 +4,11 @@ void twd_gate_normalise(const twd_num *activation, size_t count, twd_num *weight
 {
     twd_num sum = TWD_NUM(0);
     for (size_t k = 0; k < count; k++)
-        sum += activation[k];
+        sum = twd_add_saturated(sum, activation[k]);
 
     const bool all_silent = !(sum > TWD_NUM(0));
     for (size_t k = 0; k < count; k++)
-        weight[k] = all_silent ? twd_div(TWD_NUM(1), TWD_NUM(count)) : twd_div(activation[k], sum);
+        weight[k] = all_silent ? twd_ratio(1, (int32_t)count) : twd_div(activation[k], sum);
 }
 
 twd_num twd_gate_remap(twd_num fraction, twd_num lower_rad, twd_num upper_rad)

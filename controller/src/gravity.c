@@ -47,31 +47,45 @@ static enum twd_error check_chain(const struct twd_chain *chain)
     return TWD_OK;
 }
 
-static enum twd_error check_gravity(const twd_num *held_angle_rad, uint8_t held, twd_num acceleration_m_s2,
+static enum twd_error check_gravity(const twd_num *held_angle_rad, uint8_t held, twd_wide acceleration_m_s2,
                                     const twd_num direction[3])
 {
-    const twd_num half_turn_rad = TWD_NUM(3.14159265358979324);
+    const twd_num half_turn_rad = TWD_NUM_CONSTANT(3.14159265358979324, 843314857);
     for (uint8_t i = 0; i < held; i++)
         if (!twd_within(held_angle_rad[i], -half_turn_rad, half_turn_rad)) return TWD_ERROR_RANGE;
 
-    if (!twd_within(acceleration_m_s2, TWD_NUM(0), TWD_NUM(20))) return TWD_ERROR_RANGE;
-    const twd_num norm =
-        twd_mul(direction[0], direction[0]) + twd_mul(direction[1], direction[1]) + twd_mul(direction[2], direction[2]);
+    if (!(acceleration_m_s2 >= TWD_WIDE(0) && acceleration_m_s2 <= TWD_WIDE(20))) return TWD_ERROR_RANGE;
+    for (int axis = 0; axis < 3; axis++)
+        if (!twd_within(direction[axis], TWD_NUM(-1.001), TWD_NUM(1.001))) return TWD_ERROR_RANGE;
+    const twd_num norm = dot(direction, direction);
     if (!twd_within(norm, TWD_NUM(0.999), TWD_NUM(1.001))) return TWD_ERROR_RANGE;
     return TWD_OK;
 }
 
 /* The link on its own, as if nothing were beyond it. */
-static struct twd_gravity_joint weigh(const struct twd_chain_joint *joint, twd_num acceleration_m_s2)
+static struct twd_gravity_joint weigh(const struct twd_chain_joint *joint, twd_wide acceleration_m_s2)
 {
-    const twd_num weight_n = twd_mul(joint->mass_kg, acceleration_m_s2);
+    const twd_num weight_n = twd_num_mul_wide(joint->mass_kg, acceleration_m_s2);
     struct twd_gravity_joint weighed;
     for (int axis = 0; axis < 3; axis++) {
-        weighed.moment_nm[axis] = twd_mul(weight_n, joint->centre_of_mass_m[axis]);
+        weighed.moment_nm[axis] = twd_mul_saturated(weight_n, joint->centre_of_mass_m[axis]);
         for (int column = 0; column < 3; column++)
             weighed.rotation[axis][column] = joint->rotation[axis][column];
     }
     return weighed;
+}
+
+/* No torque of the first `links` links is larger than this: the sum of their moments along all axes. */
+static twd_num largest_moment(const struct twd_gravity_joint *joint, uint8_t links)
+{
+    twd_num sum_nm = TWD_NUM(0);
+    for (uint8_t i = 0; i < links; i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            const twd_num moment_nm = joint[i].moment_nm[axis];
+            sum_nm = twd_add_saturated(sum_nm, moment_nm < TWD_NUM(0) ? -moment_nm : moment_nm);
+        }
+    }
+    return sum_nm;
 }
 
 /* Add the moment of a link held at `angle_rad` to its parent's. */
@@ -112,8 +126,9 @@ static void find_pair_energy(struct twd_gravity *gravity)
 }
 
 enum twd_error twd_gravity_init(struct twd_gravity *gravity, const struct twd_chain *chain, uint8_t moving,
-                                const twd_num *held_angle_rad, twd_num acceleration_m_s2, const twd_num direction[3])
+                                const twd_num *held_angle_rad, twd_wide acceleration_m_s2, const twd_num direction[3])
 {
+    if (!chain || !chain->joint) return TWD_ERROR_NULL;
     if (chain->joints < 1 || chain->joints > TWD_MAX_CHAIN_JOINTS) return TWD_ERROR_CHAIN;
     if (moving < 1 || moving > chain->joints) return TWD_ERROR_CHAIN;
     enum twd_error error = check_chain(chain);
@@ -121,21 +136,26 @@ enum twd_error twd_gravity_init(struct twd_gravity *gravity, const struct twd_ch
         error = check_gravity(held_angle_rad, (uint8_t)(chain->joints - moving), acceleration_m_s2, direction);
     if (error != TWD_OK) return error;
 
-    gravity->moving = moving;
-    from_parent(chain->joint[0].rotation, direction, gravity->direction);
+    struct twd_gravity made;
+    made.moving = moving;
+    from_parent(chain->joint[0].rotation, direction, made.direction);
     for (uint8_t i = 0; i < chain->joints; i++)
-        gravity->joint[i] = weigh(&chain->joint[i], acceleration_m_s2);
+        made.joint[i] = weigh(&chain->joint[i], acceleration_m_s2);
 
     /* From the tip inwards, each link hangs its weight and all beyond it on its parent; a held one is merged whole. */
     twd_num weight_n = TWD_NUM(0);
     for (uint8_t i = chain->joints; i-- > 1;) {
-        twd_num *const parent_moment_nm = gravity->joint[i - 1].moment_nm;
-        weight_n += twd_mul(chain->joint[i].mass_kg, acceleration_m_s2);
+        twd_num *const parent_moment_nm = made.joint[i - 1].moment_nm;
+        weight_n = twd_add_saturated(weight_n, twd_num_mul_wide(chain->joint[i].mass_kg, acceleration_m_s2));
         for (int axis = 0; axis < 3; axis++)
-            parent_moment_nm[axis] += twd_mul(weight_n, chain->joint[i].origin_m[axis]);
-        if (i >= moving) merge(&gravity->joint[i], held_angle_rad[i - moving], parent_moment_nm);
+            parent_moment_nm[axis] =
+                twd_add_saturated(parent_moment_nm[axis], twd_mul_saturated(weight_n, chain->joint[i].origin_m[axis]));
+        if (largest_moment(made.joint, chain->joints) > TWD_LARGEST_MOMENT_NM) return TWD_ERROR_RANGE;
+        if (i >= moving) merge(&made.joint[i], held_angle_rad[i - moving], parent_moment_nm);
     }
-    if (moving == 2) find_pair_energy(gravity);
+    if (largest_moment(made.joint, moving) > TWD_LARGEST_MOMENT_NM) return TWD_ERROR_RANGE;
+    if (moving == 2) find_pair_energy(&made);
+    *gravity = made;
     return TWD_OK;
 }
 

@@ -4,13 +4,13 @@
 #include "icub_setup.h"
 #include "seven.h"
 
+#include <twiddle/convert.h>
 #include <twiddle/icub_right_hand.h>
 
 enum { TRIALS = 20 };
 
 static struct twd_controller controller;
 static struct twd_agent agent;
-static twd_num output[DRIVE_OSCILLATORS];
 
 /* The iCub hand, with the ranges of drive.h. */
 static enum twd_error set_up(void)
@@ -19,9 +19,9 @@ static enum twd_error set_up(void)
     const enum twd_error error = icub_controller_config(&config);
     if (error != TWD_OK) return error;
     config.phase_start = TWD_PHASE_START_AT_ZERO;
-    config.oscillators.tick_s = TWD_NUM(DRIVE_TICK_S);
-    config.oscillators.amplitude_rate_per_s = TWD_NUM(DRIVE_RATE_PER_S);
-    config.oscillators.centre_rate_per_s = TWD_NUM(DRIVE_RATE_PER_S);
+    config.oscillators.tick_s = TWD_SMALL(DRIVE_TICK_S);
+    config.oscillators.amplitude_rate_per_s = TWD_RATE(DRIVE_RATE_PER_S);
+    config.oscillators.centre_rate_per_s = TWD_RATE(DRIVE_RATE_PER_S);
     config.ranges.frequency_lower_hz = TWD_NUM(DRIVE_FREQUENCY_LOWER_HZ);
     config.ranges.frequency_upper_hz = TWD_NUM(DRIVE_FREQUENCY_UPPER_HZ);
     config.ranges.amplitude_upper = TWD_NUM(DRIVE_AMPLITUDE_UPPER);
@@ -34,7 +34,7 @@ static void start(const double *parameter)
 {
     twd_num number[DRIVE_PARAMETERS];
     for (size_t i = 0; i < DRIVE_PARAMETERS; i++)
-        number[i] = TWD_NUM(parameter[i]);
+        number[i] = twd_num_from_double(parameter[i]);
     (void)twd_controller_start(&controller, number, DRIVE_PARAMETERS);
 }
 
@@ -44,26 +44,25 @@ void seven_start(const double *parameter, const struct drive *drive)
     start(parameter);
 }
 
+/* The outputs come with the tick. */
 void seven_tick(void)
 {
-    twd_num *next = output;
-    for (size_t k = 0; k < 3; k++) {
-        struct twd_cpg *const cpg = &controller.cpg[k];
-        twd_cpg_tick(cpg);
-        for (uint8_t i = 0; i < cpg->topology->oscillators; i++)
-            *next++ = twd_cpg_output(cpg, i);
-    }
+    for (size_t k = 0; k < 3; k++)
+        twd_cpg_tick(&controller.cpg[k]);
 }
 
 double seven_output(size_t index)
 {
-    return (double)output[index];
+    size_t cpg = 0;
+    while (index >= controller.cpg[cpg].topology->oscillators)
+        index -= controller.cpg[cpg++].topology->oscillators;
+    return twd_num_to_double(twd_cpg_output(&controller.cpg[cpg], (uint8_t)index));
 }
 
 /* The same sets as seven_run's, through the whole controller; the hand follows one tick behind. */
 static void run_controller(void)
 {
-    static const twd_num velocity_rad_s[TWD_ICUB_JOINTS] = {TWD_NUM(1), TWD_NUM(-0.5), TWD_NUM(2), TWD_NUM(-3)};
+    static const twd_rate velocity_rad_s[TWD_ICUB_JOINTS] = {TWD_RATE(1), TWD_RATE(-0.5), TWD_RATE(2), TWD_RATE(-3)};
     twd_num angle_rad[TWD_ICUB_JOINTS] = {TWD_NUM(0)};
     for (int set = 0; set < DRIVE_SETS; set++) {
         double parameter[DRIVE_PARAMETERS];
@@ -91,7 +90,7 @@ static enum twd_error run_learner(void)
     for (int trial = 0; trial < TRIALS; trial++) {
         twd_num parameter[ICUB_PARAMETERS];
         twd_agent_act(&agent, input, parameter);
-        (void)twd_agent_learn(&agent, parameter[0]);
+        (void)twd_agent_learn(&agent, twd_wide_of_num(parameter[0]));
     }
     return TWD_OK;
 }

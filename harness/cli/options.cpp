@@ -28,7 +28,7 @@ struct Choice {
 
 const Choice stepper_choice = {"--stepper", {"fast", "reference"}, {}};
 const Choice hand_choice = {"--hand", {"welded", "full"}, {}};
-const Choice number_choice = {"--number", {"float", "double"}, {"fixed"}};
+const Choice number_choice = {"--number", {"float", "double", "fixed"}, {}};
 const Choice target_choice = {"--target", {"host"}, {"microbit", "mps2-an386", "virt"}};
 
 bool contains(const std::vector<std::string> &names, const std::string &name)
@@ -105,7 +105,7 @@ void add_run_options(CLI::App &command, RunOptions &options)
     command.add_option("--hand", options.hand, "welded, or full: all 19 joints movable")
         ->type_name("NAME")
         ->capture_default_str();
-    command.add_option("--number", options.number, "Number type of the C library: float or double")
+    command.add_option("--number", options.number, "Number type of the C library: float, double or fixed")
         ->type_name("TYPE")
         ->capture_default_str();
     command.add_option("--target", options.target, "Where the C library runs")

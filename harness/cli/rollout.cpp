@@ -38,7 +38,7 @@ experiment::Parameters parse_parameters(const std::string &line, std::size_t lin
         const std::optional<double> value = record::parse_number(trimmed(cell));
         if (!value || !(*value > 0) || !(*value < 1))
             throw UsageError(where + "'" + trimmed(cell) + "' is no number in (0,1)");
-        parameters.push_back(static_cast<twd_num>(*value));
+        parameters.push_back(twd_num_from_double(*value));
     }
     return parameters;
 }

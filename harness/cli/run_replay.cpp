@@ -32,7 +32,7 @@ experiment::Parameters learned_parameters(const RunFolder &folder, const record:
     experiment::Parameters parameters;
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (policy.parameters[i].first != names[i]) throw std::runtime_error(sentence);
-        parameters.push_back(static_cast<twd_num>(policy.parameters[i].second));
+        parameters.push_back(twd_num_from_double(policy.parameters[i].second));
     }
     return parameters;
 }

@@ -19,7 +19,7 @@ record::CsvRow csv_row(const experiment::TrialRow &row)
     record::CsvRow csv;
     csv.cell(std::uint64_t{row.trial}).cell(row.rotation_rad).cell(row.reward).cell(row.value).cell(row.td_error);
     csv.cell(row.noise);
-    for (const twd_num weight : row.weight) {
+    for (const experiment::Shown weight : row.weight) {
         csv.cell(weight);
     }
     return csv;

@@ -21,10 +21,11 @@ static_assert(static_cast<std::size_t>(TWD_ICUB_FEI) == sim::fei &&
 
 constexpr double rad_per_deg = 3.14159265358979323846 / 180;
 
-twd_num num(double value)
-{
-    return static_cast<twd_num>(value);
-}
+// A setting as a number of the library.
+constexpr auto num = twd_num_from_double;
+constexpr auto wide = twd_wide_from_double;
+constexpr auto rate = twd_rate_from_double;
+constexpr auto small = twd_small_from_double;
 
 // Throws std::runtime_error with `what` and the library's sentence if `error` is one.
 void require(twd_error error, const std::string &what)
@@ -43,7 +44,7 @@ twd_joint joint(std::size_t index, const sim::Setup &setup)
     joint.pd.torque_limit_nm = num(hand.torque_limit_nm);
     if (hand.pd_law == sim::PdLaw::stable) {
         const double period_s = control_step_s / setup.physics.substeps;
-        require(twd_pd_stable(&joint.pd, num(hand.pd_inertia_kg_m2[index]), num(period_s), &joint.pd),
+        require(twd_pd_stable(&joint.pd, small(hand.pd_inertia_kg_m2[index]), small(period_s), &joint.pd),
                 "the set-up's gains or inertias");
     }
     return joint;
@@ -61,9 +62,9 @@ twd_finger finger(const twd_chain &chain, std::size_t first, std::size_t second,
     held_rad.fill(num(distal_deg * rad_per_deg));
     const std::array<twd_num, 3> direction = {num(physics.gravity_direction[0]), num(physics.gravity_direction[1]),
                                               num(physics.gravity_direction[2])};
-    require(
-        twd_gravity_init(&finger.gravity, &chain, moving, held_rad.data(), num(physics.gravity_m_s2), direction.data()),
-        "the set-up's gravity or held angles");
+    require(twd_gravity_init(&finger.gravity, &chain, moving, held_rad.data(), wide(physics.gravity_m_s2),
+                             direction.data()),
+            "the set-up's gravity or held angles");
     return finger;
 }
 
@@ -71,9 +72,9 @@ twd_cpg_config cpg_config(const sim::OscillatorSetup &setup, bool with_centre)
 {
     twd_cpg_config config{};
     config.with_centre = with_centre;
-    config.tick_s = num(control_step_s);
-    config.amplitude_rate_per_s = num(setup.amplitude_rate_per_s);
-    config.centre_rate_per_s = num(setup.centre_rate_per_s);
+    config.tick_s = small(control_step_s);
+    config.amplitude_rate_per_s = rate(setup.amplitude_rate_per_s);
+    config.centre_rate_per_s = rate(setup.centre_rate_per_s);
     if (setup.return_lag == sim::ReturnLag::equal) config.return_lag = TWD_RETURN_LAG_EQUAL;
     if (setup.centre_start == sim::CentreStart::zero) config.centre_start = TWD_CENTRE_START_AT_ZERO;
     if (setup.centre_start == sim::CentreStart::target) config.centre_start = TWD_CENTRE_START_AT_TARGET;
@@ -134,7 +135,7 @@ LearnerInput learner_input(const sim::ObjectSpec &object, const sim::LearnerSetu
     if (object.shape == sim::Shape::cylinder) shape = TWD_SHAPE_CYLINDER;
     if (object.shape == sim::Shape::cube) shape = TWD_SHAPE_CUBE;
     LearnerInput input{};
-    twd_input_map(shape, num(object.size_m), num(setup.input_squared_norm), input.data());
+    twd_input_map(shape, num(object.size_m), wide(setup.input_squared_norm), input.data());
     return input;
 }
 

@@ -1,6 +1,7 @@
 // controller_setup.hpp: a set-up's settings as the C library's configuration.
 #pragma once
 
+#include "number.hpp"
 #include "sim/object.hpp"
 #include "sim/setup.hpp"
 

@@ -66,7 +66,7 @@ ExpertWeights expert_weights(const twd_model &model, const twd_num *weight)
     ExpertWeights weights{};
     for (int k = 0; k < model.cpgs; ++k) {
         for (std::size_t expert = 0; expert < expert_count; ++expert) {
-            if (model.topology[k] == experts[expert]) weights[expert] = weight[k];
+            if (model.topology[k] == experts[expert]) weights[expert] = shown_num(weight[k]);
         }
     }
     return weights;

@@ -1,6 +1,8 @@
 // models.hpp: the learning models by name, and the names of their parameters.
 #pragma once
 
+#include "number.hpp"
+
 #include <twiddle/model.h>
 
 #include <array>
@@ -23,7 +25,7 @@ std::vector<std::string> parameter_names(const twd_model &model, bool with_centr
 
 // The share of each CPG in the joint outputs, in the order C, M, S. They sum to 1.
 constexpr std::size_t expert_count = 3;
-using ExpertWeights = std::array<twd_num, expert_count>;
+using ExpertWeights = std::array<Shown, expert_count>;
 
 // The weights of `model`'s own CPGs, as the controller holds them, spread over all three; absent ones are 0.
 ExpertWeights expert_weights(const twd_model &model, const twd_num *weight);

@@ -5,6 +5,7 @@
 #include "sim/setup.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace twiddle::experiment
@@ -68,16 +69,17 @@ TrialRow Training::act()
     twd_agent_act(&agent_, input_.data(), parameters_.data());
     TrialRow row;
     row.trial = agent_.trial + 1;
-    row.value = agent_.value;
-    row.noise = agent_.noise;
+    row.value = shown_wide(agent_.value);
+    row.noise = shown_num(agent_.noise);
     return row;
 }
 
 void Training::learn(TrialRow &row)
 {
     row.weight = runner_.weights();
-    row.reward = static_cast<twd_num>(row.rotation_rad * reward_per_rad_);
-    row.td_error = twd_agent_learn(&agent_, row.reward);
+    const twd_wide reward = twd_wide_from_double(row.rotation_rad * reward_per_rad_);
+    row.reward = shown_wide(reward);
+    row.td_error = shown_wide(twd_agent_learn(&agent_, reward));
 }
 
 record::Policy Training::policy() const
@@ -91,13 +93,15 @@ record::Policy Training::policy() const
     twd_agent_policy(&agent_, input_.data(), parameters.data());
     const std::vector<std::string> names = parameter_names(*model_, with_centre_);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        policy.parameters.emplace_back(names.at(i), parameters[i]);
+        policy.parameters.emplace_back(names.at(i), twd_num_to_double(parameters[i]));
     }
     const std::size_t inputs = agent_.config.inputs;
-    policy.critic_weights.assign(agent_.critic.weight, agent_.critic.weight + inputs);
+    std::transform(agent_.critic.weight, agent_.critic.weight + inputs, std::back_inserter(policy.critic_weights),
+                   twd_wide_to_double);
     for (std::size_t unit = 0; unit < parameters.size(); ++unit) {
         const twd_num *weights = agent_.actor.weight[unit];
-        policy.actor_weights.emplace_back(weights, weights + inputs);
+        std::vector<double> &row = policy.actor_weights.emplace_back();
+        std::transform(weights, weights + inputs, std::back_inserter(row), twd_num_to_double);
     }
     std::copy(std::begin(agent_.random.state), std::end(agent_.random.state), policy.random_state.begin());
     return policy;

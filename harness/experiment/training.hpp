@@ -26,10 +26,10 @@ TrialRunner make_trial_runner(const record::RunSpecification &specification, con
 struct TrialRow {
     std::uint32_t trial = 0; // from 1
     double rotation_rad = 0;
-    twd_num reward = 0;
-    twd_num value = 0;    // the critic's estimate before the trial
-    twd_num td_error = 0; // reward - value
-    twd_num noise = 0;    // half-range of the exploration noise in force
+    Shown reward = 0;
+    Shown value = 0;    // the critic's estimate before the trial
+    Shown td_error = 0; // reward - value
+    Shown noise = 0;    // half-range of the exploration noise in force
     ExpertWeights weight{};
     std::string fault; // as TrialResult's
 };

@@ -55,10 +55,12 @@ class TrialRunner
     template <class Observer> TrialResult run_observed(const Parameters &parameters, Observer &&observer);
 
   private:
+    using Angles = std::array<twd_num, TWD_MAX_JOINTS>;
+    using Velocities = std::array<twd_rate, TWD_MAX_JOINTS>;
     using Torques = std::array<twd_num, TWD_MAX_JOINTS>;
 
     // Drive the world through one control step; returns the torques of its last substep.
-    Torques advance(const Torques &desired_rad);
+    Torques advance(const Angles &desired_rad);
 
     // A world after a fault cannot be trusted to reset: build it anew.
     TrialResult fault(int step);
@@ -73,23 +75,23 @@ class TrialRunner
     twd_controller controller_{};
 };
 
-inline TrialRunner::Torques TrialRunner::advance(const Torques &desired_rad)
+inline TrialRunner::Torques TrialRunner::advance(const Angles &desired_rad)
 {
     Torques torque_nm{};
     for (int substep = 0; substep < substeps_; ++substep) {
         const sim::JointVector angles_rad = world_->angles_rad();
         const sim::JointVector velocities_rad_s = world_->velocities_rad_s();
-        Torques angle_rad{};
-        Torques velocity_rad_s{};
+        Angles angle_rad{};
+        Velocities velocity_rad_s{};
         for (std::size_t i = 0; i < sim::joint_count; ++i) {
-            angle_rad[i] = static_cast<twd_num>(angles_rad[i]);
-            velocity_rad_s[i] = static_cast<twd_num>(velocities_rad_s[i]);
+            angle_rad[i] = twd_num_from_double(angles_rad[i]);
+            velocity_rad_s[i] = twd_rate_from_double(velocities_rad_s[i]);
         }
         twd_controller_torque(&controller_, desired_rad.data(), angle_rad.data(), velocity_rad_s.data(),
                               torque_nm.data());
         sim::JointVector applied_nm{};
         for (std::size_t i = 0; i < sim::joint_count; ++i) {
-            applied_nm[i] = torque_nm[i];
+            applied_nm[i] = twd_num_to_double(torque_nm[i]);
         }
         world_->substep(applied_nm);
     }
@@ -100,7 +102,7 @@ template <class Observer> TrialResult TrialRunner::run_observed(const Parameters
 {
     start(parameters);
     world_->reset();
-    Torques desired_rad{};
+    Angles desired_rad{};
     for (int step = 1; step <= trial_steps; ++step) {
         twd_controller_tick(&controller_, desired_rad.data());
         const Torques torque_nm = advance(desired_rad);
@@ -110,8 +112,8 @@ template <class Observer> TrialResult TrialRunner::run_observed(const Parameters
         StepSample sample;
         sample.step = step;
         for (std::size_t i = 0; i < sim::joint_count; ++i) {
-            sample.desired_rad[i] = desired_rad[i];
-            sample.torque_nm[i] = torque_nm[i];
+            sample.desired_rad[i] = twd_num_to_double(desired_rad[i]);
+            sample.torque_nm[i] = twd_num_to_double(torque_nm[i]);
         }
         observer(sample, static_cast<const sim::World &>(*world_));
     }

@@ -25,9 +25,9 @@ enum twd_error twd_actor_init(struct twd_actor *actor, size_t units, size_t inpu
 
 twd_num twd_actor_unit(const struct twd_actor *actor, size_t unit, const twd_num *input)
 {
-    twd_num activation = TWD_NUM(0);
+    twd_wide activation = TWD_WIDE(0);
     for (size_t i = 0; i < actor->inputs; i++)
-        activation += twd_mul(actor->weight[unit][i], input[i]);
+        activation = twd_wide_add(activation, twd_wide_product(actor->weight[unit][i], input[i]));
     return twd_sigmoid(activation);
 }
 
@@ -50,14 +50,14 @@ void twd_actor_explore(struct twd_actor *actor, const struct twd_exploration *ex
     }
 }
 
-void twd_actor_learn(struct twd_actor *actor, const twd_num *input, twd_num rate, twd_num td_error)
+void twd_actor_learn(struct twd_actor *actor, const twd_num *input, twd_num rate, twd_wide td_error)
 {
-    const twd_num gain = twd_mul(rate, td_error);
+    const twd_wide gain = twd_wide_mul(rate, td_error);
     for (size_t j = 0; j < actor->units; j++) {
         const twd_num output = actor->output[j];
         const twd_num slope = twd_mul(output, TWD_NUM(1) - output);
-        const twd_num step = twd_mul(gain, twd_mul(actor->learned_value[j] - output, slope));
+        const twd_num step = twd_num_mul_wide(twd_mul(actor->learned_value[j] - output, slope), gain);
         for (size_t i = 0; i < actor->inputs; i++)
-            actor->weight[j][i] += twd_mul(step, input[i]);
+            actor->weight[j][i] = twd_add_saturated(actor->weight[j][i], twd_mul_saturated(step, input[i]));
     }
 }

@@ -45,7 +45,7 @@ enum twd_error twd_agent_init(struct twd_agent *agent, const struct twd_agent_co
     for (size_t i = 0; i < TWD_MAX_INPUTS; i++)
         agent->input[i] = TWD_NUM(0);
     agent->noise = agent->config.noise.start;
-    agent->value = TWD_NUM(0);
+    agent->value = TWD_WIDE(0);
     agent->trial = 0;
     return TWD_OK;
 }
@@ -64,16 +64,10 @@ void twd_agent_act(struct twd_agent *agent, const twd_num *input, twd_num *param
         parameter[j] = agent->actor.explored[j];
 }
 
-/* False for infinities and for what is not a number: there the difference is not a number. */
-static bool is_finite(twd_num value)
+twd_wide twd_agent_learn(struct twd_agent *agent, twd_wide reward)
 {
-    return twd_within(value - value, TWD_NUM(0), TWD_NUM(0));
-}
-
-twd_num twd_agent_learn(struct twd_agent *agent, twd_num reward)
-{
-    const twd_num earned = is_finite(reward) ? reward : TWD_NUM(0);
-    const twd_num td_error = twd_critic_learn(&agent->critic, agent->input, agent->config.critic_rate, earned);
+    const twd_wide earned = twd_wide_is_finite(reward) ? reward : TWD_WIDE(0);
+    const twd_wide td_error = twd_critic_learn(&agent->critic, agent->input, agent->config.critic_rate, earned);
     twd_actor_learn(&agent->actor, agent->input, agent->config.actor_rate, td_error);
     agent->trial++;
     return td_error;

@@ -64,7 +64,9 @@ struct twd_saturations {
     uint32_t
         output; /* outputs saturated to [0, 1]: of the joints, or of each CPG's oscillators (enum twd_saturation) */
     uint32_t torque; /* torques beyond the limit */
-    uint32_t input;  /* joints given an angle or velocity that was not a number, or beyond 1e6; they got zero torque */
+    uint32_t
+        input; /* joints given an angle or velocity that was not a number, or beyond 1e6 (float, double) or at the ends of its type
+                       (fixed); they got zero torque */
 };
 
 /* A running controller. Fields may be read. */
@@ -87,7 +89,7 @@ void twd_controller_tick(struct twd_controller *controller, twd_num *desired_ang
 /* Write the torques, [joints], N m, for the given desired and actual angles (rad) and velocities (rad/s), all
  * [joints]. */
 void twd_controller_torque(struct twd_controller *controller, const twd_num *desired_angle_rad,
-                           const twd_num *angle_rad, const twd_num *velocity_rad_s, twd_num *torque_nm);
+                           const twd_num *angle_rad, const twd_rate *velocity_rad_s, twd_num *torque_nm);
 
 #ifdef __cplusplus
 }

@@ -56,10 +56,10 @@ enum twd_centre_start {
 
 /* What a network is made with, beside its structure. */
 struct twd_cpg_config {
-    bool with_centre;             /* output equation: oscillator.h */
-    twd_num tick_s;               /* (0, 0.1] s */
-    twd_num amplitude_rate_per_s; /* a, 1/s; above 0, its product with the tick at most 32 */
-    twd_num centre_rate_per_s;    /* b, 1/s; the same range */
+    bool with_centre;              /* output equation: oscillator.h */
+    twd_small tick_s;              /* (0, 0.1] s */
+    twd_rate amplitude_rate_per_s; /* a, 1/s; above 0, its product with the tick at most TWD_LARGEST_RATE_TIMES_TICK */
+    twd_rate centre_rate_per_s;    /* b, 1/s; the same range */
     enum twd_return_lag return_lag;
     enum twd_centre_start centre_start;
 };
@@ -78,10 +78,12 @@ struct twd_cpg {
     struct twd_cpg_config config;
     struct twd_filter_step amplitude_step;                 /* a's transition */
     struct twd_filter_step centre_step;                    /* b's transition */
+    twd_turn_gain turn_gain;                               /* from rad/s to the turns of a tick */
     twd_phase intrinsic_advance;                           /* turns a tick, from nu */
     struct twd_cpg_drive drive;                            /* this trial's targets */
     struct twd_oscillator oscillator[TWD_MAX_OSCILLATORS]; /* state */
-    twd_num last_pull[TWD_MAX_OSCILLATORS];                /* coupling sum of the last tick, rad/s */
+    twd_wide last_pull[TWD_MAX_OSCILLATORS];               /* coupling sum of the last tick, rad/s */
+    twd_num output[TWD_MAX_OSCILLATORS];                   /* x after the last tick, of the joint's range */
 };
 
 /* Make `cpg` a network of `topology`; copies `config`. Errors: a topology that does not hold together, a field outside its
@@ -100,7 +102,9 @@ void twd_cpg_phases_at_lag(const struct twd_topology *topology, const twd_phase 
 /* Advance by one tick. */
 void twd_cpg_tick(struct twd_cpg *cpg);
 
-/* Output of oscillator `index`, of the joint's range (not saturated). */
+/* r, c and x of oscillator `index`, of the joint's range (x is not saturated). */
+twd_num twd_cpg_amplitude(const struct twd_cpg *cpg, uint8_t index);
+twd_num twd_cpg_centre(const struct twd_cpg *cpg, uint8_t index);
 twd_num twd_cpg_output(const struct twd_cpg *cpg, uint8_t index);
 
 #ifdef __cplusplus

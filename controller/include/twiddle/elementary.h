@@ -12,11 +12,14 @@ extern "C" {
 #endif
 
 /* exp(-value) for value >= 0; a negative value counts as 0, one above 32 as 32 (1.3e-14). Relative error at most
- * 1e-11 (double), 1e-6 (float). */
-twd_num twd_exp_negative(twd_num value);
+ * 1e-11 (double), 1e-6 (float); error at most 2e-7 (fixed). */
+twd_num twd_exp_negative(twd_wide value);
 
-/* The logistic function 1 / (1 + exp(-value)), any value. Error at most 1e-11 (double), 2e-7 (float). */
-twd_num twd_sigmoid(twd_num value);
+/* The same for a number below 1 at full resolution: error at most 4e-8 (fixed). */
+twd_num twd_exp_negative_of_num(twd_num value);
+
+/* The logistic function 1 / (1 + exp(-value)), any value. Error at most 1e-11 (double), 2e-7 (float, fixed). */
+twd_num twd_sigmoid(twd_wide value);
 
 #ifdef __cplusplus
 }

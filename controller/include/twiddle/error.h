@@ -21,6 +21,7 @@ enum twd_error {
     TWD_ERROR_PARAMETER_COUNT = -10,     /* not as many parameters as the model has */
     TWD_ERROR_PARAMETER = -11,           /* a parameter is outside [0, 1] or not a number */
     TWD_ERROR_LEARNER_SIZE = -12,        /* more units or inputs than the learner's arrays hold, or none */
+    TWD_ERROR_NULL = -13,                /* a table or a pointer that is needed is null */
 };
 
 /* One plain sentence for `error`, in flash; never a null pointer. */

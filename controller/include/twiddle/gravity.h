@@ -46,7 +46,7 @@ struct twd_gravity {
 /* Prepare `gravity` for `chain`: its first `moving` joints move, the others stay at `held_angle_rad` ([joints -
  * moving]). `acceleration_m_s2` is gravity's size (0..20), `direction` its unit vector in the chain's base frame. */
 enum twd_error twd_gravity_init(struct twd_gravity *gravity, const struct twd_chain *chain, uint8_t moving,
-                                const twd_num *held_angle_rad, twd_num acceleration_m_s2, const twd_num direction[3]);
+                                const twd_num *held_angle_rad, twd_wide acceleration_m_s2, const twd_num direction[3]);
 
 /* Torques in N m, [moving], that hold the finger still at the joint angles `angle_rad` ([moving], each in [-pi,
  * pi]). */

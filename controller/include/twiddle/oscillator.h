@@ -7,10 +7,7 @@
 
 #include <twiddle/filter.h>
 #include <twiddle/number.h>
-
-#ifdef __cplusplus
-extern "C" {
-#endif
+#include <twiddle/phase.h>
 
 /* The state of one oscillator. */
 struct twd_oscillator {
@@ -20,12 +17,15 @@ struct twd_oscillator {
 };
 
 /* x = c + r cos(theta) */
-twd_num twd_oscillator_output_with_centre(const struct twd_oscillator *oscillator);
+static inline twd_num twd_oscillator_output_with_centre(twd_num centre, twd_num amplitude, twd_phase phase)
+{
+    return centre + twd_mul_short(amplitude, twd_cos(phase));
+}
 
 /* x = r (1 + cos(theta)) */
-twd_num twd_oscillator_output_without_centre(const struct twd_oscillator *oscillator);
-
-#ifdef __cplusplus
+static inline twd_num twd_oscillator_output_without_centre(twd_num amplitude, twd_phase phase)
+{
+    return twd_mul_short(amplitude, TWD_NUM(1) + twd_cos(phase));
 }
-#endif
+
 #endif

@@ -21,10 +21,11 @@ struct twd_pd {
 
 /* The torque in N m before the limit is applied. */
 static inline twd_num twd_pd_torque(const struct twd_pd *pd, twd_num desired_rad, twd_num actual_rad,
-                                    twd_num velocity_rad_s, twd_num gravity_nm)
+                                    twd_rate velocity_rad_s, twd_num gravity_nm)
 {
-    return gravity_nm + twd_mul(pd->stiffness_nm_per_rad, desired_rad - actual_rad) -
-           twd_mul(pd->damping_nms_per_rad, velocity_rad_s);
+    const twd_num error_rad = twd_subtract_saturated(desired_rad, actual_rad);
+    const twd_num driven_nm = twd_add_saturated(gravity_nm, twd_mul_saturated(pd->stiffness_nm_per_rad, error_rad));
+    return twd_subtract_saturated(driven_nm, twd_num_mul_rate(pd->damping_nms_per_rad, velocity_rad_s));
 }
 
 /* Gains with which the law stays stable at long periods: `stable` gives the torque that `pd` would ask for in the state
@@ -41,9 +42,10 @@ static inline twd_num twd_pd_torque(const struct twd_pd *pd, twd_num desired_rad
  * semi-implicit Euler is stable at any h if its true inertia is at least 3/4 of M. The prediction knows no contact: a
  * joint that is stopped by one presses with Kp / D. The torque limit stays.
  *
- * TWD_ERROR_TICK for the period; TWD_ERROR_RANGE for gains or an inertia out of range, or a D above 1e6; `stable` is
- * then as it was. `stable` may be `pd` itself. */
-enum twd_error twd_pd_stable(const struct twd_pd *pd, twd_num inertia_kg_m2, twd_num period_s, struct twd_pd *stable);
+ * TWD_ERROR_TICK for the period; TWD_ERROR_RANGE for gains or an inertia out of range, or a D above 1e6 (127 in the fixed build);
+ * `stable` is  * then as it was. `stable` may be `pd` itself. */
+enum twd_error twd_pd_stable(const struct twd_pd *pd, twd_small inertia_kg_m2, twd_small period_s,
+                             struct twd_pd *stable);
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,16 @@
 /* phase.h: phases from turns and angles, and their sine and cosine.
  *
- * Inline, since a control tick spends most of its time here. The sines are polynomials with a stated error, the same in
- * every number build and without libm; all may be called from an interrupt. */
+ * Inline, since a control tick spends most of its time here. The sines are polynomials with a stated error, without libm, as long as
+ * the number build needs them: float/phase.h and fixed/phase.h. All may be called from an interrupt.
+ *
+ *     twd_phase_from_turns      turns in (-0.5, 0.5); values beyond are clamped to just inside
+ *     twd_phase_from_angle      an angle in [-pi, pi], rad; values beyond are clamped
+ *     twd_phase_from_fraction   a fraction of a turn in [0, 1]; 1 wraps to 0
+ *     twd_phase_from_frequency  what a frequency (Hz) advances in a tick (s); product below 0.5, clamped to just inside
+ *     twd_phase_from_rate       what a rate (rad/s) advances in a tick, given as its twd_turn_gain; clamped in the same way by the
+ *                               float builds; the fixed build takes rates of at most 15.9 rad/s
+ *     twd_sin, twd_cos          sin and cos(2 pi phase / 2^32); error at most 1e-8 (double), 2e-7 (float), 1e-6 (fixed)
+ *     twd_sine_cosine           both, for less than the two of them apart; the same error */
 #ifndef TWIDDLE_PHASE_H
 #define TWIDDLE_PHASE_H
 
@@ -11,90 +20,10 @@
 #define TWD_QUARTER_TURN UINT32_C(0x40000000)
 #define TWD_HALF_TURN UINT32_C(0x80000000)
 
-/* The first two functions are the only places where the two scales meet: numbers, and phases of 2^32 a turn. */
-
-/* The phase of `turns` in [-0.5, 0.5), rounded towards zero. */
-static inline twd_phase twd_phase_of_signed_turns(twd_num turns)
-{
-    return (uint32_t)(int32_t)(turns * TWD_NUM(4294967296.0));
-}
-
-/* A phase as quarter turns in [-2, 2). */
-static inline twd_num twd_quarters_of_phase(twd_phase phase)
-{
-    return (twd_num)(int32_t)phase * TWD_NUM(1.0 / 1073741824.0);
-}
-
-/* The phase of `turns`, any value in (-0.5, 0.5); values beyond are clamped to just inside. */
-static inline twd_phase twd_phase_from_turns(twd_num turns)
-{
-    /* The largest number below a half that a float holds, so that the limits are the same in every number build. */
-    const twd_num limit = TWD_NUM(0.499999970197677612);
-    return twd_phase_of_signed_turns(twd_clamp(turns, -limit, limit));
-}
-
-/* The phase of `angle_rad`, in [-pi, pi]; values beyond are clamped. */
-static inline twd_phase twd_phase_from_angle(twd_num angle_rad)
-{
-    return twd_phase_from_turns(twd_mul(angle_rad, TWD_NUM(0.15915494309189535)));
-}
-
-/* The phase of `fraction` of a turn, in [0, 1]; 1 wraps to 0. */
-static inline twd_phase twd_phase_from_fraction(twd_num fraction)
-{
-    const twd_num turns = twd_clamp(fraction, TWD_NUM(0), TWD_NUM(1));
-    return twd_phase_of_signed_turns(turns < TWD_NUM(0.5) ? turns : turns - TWD_NUM(1));
-}
-
-/* sin(2 pi phase / 2^32). Error at most 1e-8 (double), 2e-7 (float). */
-static inline twd_num twd_sin(twd_phase phase)
-{
-    /* The second and third quarter are folded onto the first and fourth: sin(theta) = sin(half a turn - theta). */
-    const twd_phase folded = phase + TWD_QUARTER_TURN < TWD_HALF_TURN ? phase : TWD_HALF_TURN - phase;
-
-    /* The polynomial of least maximum error for sin(pi/2 u) on [-1, 1] in u, u^3, ... u^9: Remez exchange in 40-digit
-     * arithmetic; maximum error 3.4e-9. One u stands apart, so that the rounded sum is a small part of the result. */
-    const twd_num u = twd_quarters_of_phase(folded);
-    const twd_num square = twd_mul(u, u);
-    twd_num sum = TWD_NUM(0.00015082056718197074);
-    sum = twd_mul(sum, square) + TWD_NUM(-0.0046722279289435442);
-    sum = twd_mul(sum, square) + TWD_NUM(0.079688480544303229);
-    sum = twd_mul(sum, square) + TWD_NUM(-0.64596335986686903);
-    sum = twd_mul(sum, square) + TWD_NUM(0.5707962900224310);
-    return u + twd_mul(sum, u);
-}
-
-/* cos(2 pi phase / 2^32), same error as twd_sin. */
-static inline twd_num twd_cos(twd_phase phase)
-{
-    return twd_sin(phase + TWD_QUARTER_TURN);
-}
-
-/* Both sine and cosine, same error as twd_sin, for less than the two of them apart. */
-static inline void twd_sine_cosine(twd_phase phase, twd_num *sine, twd_num *cosine)
-{
-    /* What is left from the nearest quarter turn, at most an eighth of a turn, needs shorter polynomials in u: for
-     * sin(pi/2 u) and cos(pi/2 u) on [-1/2, 1/2], Remez exchange as above; maximum errors 1.3e-9 and 5.4e-11. */
-    const twd_phase quarters = (phase + TWD_EIGHTH_TURN) / TWD_QUARTER_TURN;
-    const twd_num u = twd_quarters_of_phase(phase - quarters * TWD_QUARTER_TURN);
-    const twd_num square = twd_mul(u, u);
-    twd_num sum = TWD_NUM(-0.0045922890596582436);
-    sum = twd_mul(sum, square) + TWD_NUM(0.079675902961940704);
-    sum = twd_mul(sum, square) + TWD_NUM(-0.64596293816607918);
-    sum = twd_mul(sum, square) + TWD_NUM(0.57079630508540079);
-    const twd_num near_sine = u + twd_mul(sum, u);
-
-    sum = TWD_NUM(0.00090402167188929938);
-    sum = twd_mul(sum, square) + TWD_NUM(-0.020860288508877817);
-    sum = twd_mul(sum, square) + TWD_NUM(0.25366924403005243);
-    sum = twd_mul(sum, square) + TWD_NUM(-1.2337005433534884);
-    const twd_num near_cosine = TWD_NUM(1) + twd_mul(sum, square);
-
-    /* A quarter turn makes the sine a cosine, and the cosine a negative sine. */
-    const twd_num unsigned_sine = quarters & 1U ? near_cosine : near_sine;
-    const twd_num unsigned_cosine = quarters & 1U ? near_sine : near_cosine;
-    *sine = quarters & 2U ? -unsigned_sine : unsigned_sine;
-    *cosine = (quarters + 1U) & 2U ? -unsigned_cosine : unsigned_cosine;
-}
+#if defined(TWD_NUMBER_FIXED)
+#include <twiddle/fixed/phase.h>
+#else
+#include <twiddle/float/phase.h>
+#endif
 
 #endif

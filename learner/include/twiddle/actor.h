@@ -56,7 +56,7 @@ void twd_actor_activate(struct twd_actor *actor, const twd_num *input);
 void twd_actor_explore(struct twd_actor *actor, const struct twd_exploration *exploration, struct twd_random *random);
 
 /* Change the weights for TD error `td_error`, after activate and explore on the same `input`. */
-void twd_actor_learn(struct twd_actor *actor, const twd_num *input, twd_num rate, twd_num td_error);
+void twd_actor_learn(struct twd_actor *actor, const twd_num *input, twd_num rate, twd_wide td_error);
 
 #ifdef __cplusplus
 }

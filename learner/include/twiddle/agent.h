@@ -48,7 +48,7 @@ struct twd_agent {
     struct twd_critic critic;
     twd_num input[TWD_MAX_INPUTS]; /* what the current trial acts on */
     twd_num noise;                 /* half-range of the current trial */
-    twd_num value;                 /* E of the current trial, before its reward */
+    twd_wide value;                /* E of the current trial, before its reward */
     uint32_t trial;                /* trials learned from so far */
 };
 
@@ -59,7 +59,7 @@ enum twd_error twd_agent_init(struct twd_agent *agent, const struct twd_agent_co
 void twd_agent_act(struct twd_agent *agent, const twd_num *input, twd_num *parameter);
 
 /* End the trial that act started with its reward; returns the TD error S. A reward that is not finite counts as 0. */
-twd_num twd_agent_learn(struct twd_agent *agent, twd_num reward);
+twd_wide twd_agent_learn(struct twd_agent *agent, twd_wide reward);
 
 /* The learned policy: the parameters for `input` without noise, [units]; leaves the agent as it was. */
 void twd_agent_policy(const struct twd_agent *agent, const twd_num *input, twd_num *parameter);

@@ -17,18 +17,18 @@ extern "C" {
 
 /* The estimator. */
 struct twd_critic {
-    uint8_t inputs;                 /* 1..TWD_MAX_INPUTS */
-    twd_num weight[TWD_MAX_INPUTS]; /* w_i, 0 at first */
+    uint8_t inputs;                  /* 1..TWD_MAX_INPUTS */
+    twd_wide weight[TWD_MAX_INPUTS]; /* w_i, 0 at first */
 };
 
 /* Make an estimator of `inputs` inputs that expects 0. Error: more inputs than the array holds, or none. */
 enum twd_error twd_critic_init(struct twd_critic *critic, size_t inputs);
 
 /* E, the reward expected for `input`. */
-twd_num twd_critic_value(const struct twd_critic *critic, const twd_num *input);
+twd_wide twd_critic_value(const struct twd_critic *critic, const twd_num *input);
 
 /* Move the estimate towards `reward`; returns the TD error S before the change. */
-twd_num twd_critic_learn(struct twd_critic *critic, const twd_num *input, twd_num rate, twd_num reward);
+twd_wide twd_critic_learn(struct twd_critic *critic, const twd_num *input, twd_num rate, twd_wide reward);
 
 #ifdef __cplusplus
 }

@@ -25,7 +25,7 @@ enum twd_shape { TWD_SHAPE_SPHERE = 0, TWD_SHAPE_CYLINDER = 1, TWD_SHAPE_CUBE = 
 
 /* Write the response to an object of `shape` and `size_m` (its radius, or the cube's diagonal, m) into `input`, [TWD_INPUTS].
  * `squared_norm` is the sum of the squared responses for a size well inside the map, [0, 100]; values beyond are clamped. */
-void twd_input_map(enum twd_shape shape, twd_num size_m, twd_num squared_norm, twd_num *input);
+void twd_input_map(enum twd_shape shape, twd_num size_m, twd_wide squared_norm, twd_num *input);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,79 @@
+/* fixed/phase.h: phases, sines and cosines of the fixed build (phase.h). */
+#ifndef TWIDDLE_FIXED_PHASE_H
+#define TWIDDLE_FIXED_PHASE_H
+
+/* The largest turns below a half. */
+#define TWD_LARGEST_HALF ((int32_t)0x07FFFFFF)
+
+static inline twd_phase twd_phase_from_turns(twd_num turns)
+{
+    const twd_num limit = (twd_num)TWD_LARGEST_HALF;
+    return (uint32_t)(int32_t)twd_clamp(turns, -limit, limit) << 4;
+}
+
+static inline twd_phase twd_phase_from_angle(twd_num angle_rad)
+{
+    const twd_num half_turn_rad = (twd_num)INT32_C(843314856); /* pi, rounded down */
+    const int32_t word = (int32_t)twd_clamp(angle_rad, -half_turn_rad, half_turn_rad);
+    /* 8 / (2 pi) of the word, and 2^1 before and 2^2 after the multiplication; the factor is 2^32 / pi. */
+    return (uint32_t)twd_high_word(word * 2, INT32_C(1367130551)) << 2;
+}
+
+static inline twd_phase twd_phase_from_frequency(twd_num frequency_hz, twd_small tick_s)
+{
+    const int64_t product = twd_product((int32_t)frequency_hz, (int32_t)tick_s);
+    return (uint32_t)twd_saturated_word(twd_rounded(product, TWD_NUM_BITS + TWD_SMALL_BITS - 32));
+}
+
+/* What turns a rate into the phase of a tick: 2^32 times half a tick's turns a rad/s, over 2^(TWD_WIDE_BITS + 3). */
+typedef int32_t twd_turn_gain;
+
+static inline twd_turn_gain twd_turn_gain_of_tick(twd_small tick_s)
+{
+    /* tick / (2 pi) 2^32 / 2 2^32 / 2^27, from a word of 2^34 a second. */
+    return (int32_t)twd_rounded(twd_product((int32_t)tick_s, INT32_C(1367130551)), 31);
+}
+
+static inline twd_phase twd_phase_from_rate(twd_wide rate_rad_s, twd_turn_gain gain)
+{
+    /* Eight times a rate below 16 rad/s fills the word. */
+    return (uint32_t)twd_high_word((int32_t)((uint32_t)(int32_t)rate_rad_s << 3), gain) << 1;
+}
+
+static inline twd_phase twd_phase_from_fraction(twd_num fraction)
+{
+    return (uint32_t)(int32_t)twd_clamp(fraction, TWD_NUM(0), TWD_NUM(1)) << 4;
+}
+
+static inline twd_num twd_cos(twd_phase phase)
+{
+    /* s, half turns from the nearest multiple of half a turn, in [-1/2, 1/2), is the phase without its sign, and s^2 fits
+     * 2^-32 a unit. The polynomial needs only 16 bits of it. */
+    const int32_t square = twd_high_word_of_square((int32_t)(phase << 1));
+    const uint32_t short_square = ((uint32_t)square + 0x2000U) >> 14;
+
+    /* cos(pi s) = (1/4 - s^2) Q(s^2), so that the zeros are exact; Q(0) = 4 makes cos(0) = 1. The polynomial Q of least maximum
+     * error of the cosine: Remez exchange in 40-digit arithmetic; maximum error 6.0e-8. In units of 2^-28. */
+    int32_t sum = INT32_C(-58975021);
+    sum = twd_scaled(sum, short_square, 2) + INT32_C(342793912);
+    sum = twd_scaled(sum, short_square, 2) - INT32_C(1003728285);
+    sum = twd_scaled(sum, short_square, 2) + INT32_C(1073741824);
+    const int32_t cosine = twd_high_word(INT32_C(0x40000000) - square, sum);
+
+    /* The second and the third quarter turn are the first and the last with the other sign. */
+    const int32_t sign = (int32_t)(phase ^ (phase << 1)) >> 31;
+    return (twd_num)((cosine ^ sign) - sign);
+}
+
+static inline twd_num twd_sin(twd_phase phase)
+{
+    return twd_cos(phase - TWD_QUARTER_TURN);
+}
+
+static inline void twd_sine_cosine(twd_phase phase, twd_num *sine, twd_num *cosine)
+{
+    *sine = twd_sin(phase);
+    *cosine = twd_cos(phase);
+}
+
+#endif
