@@ -64,9 +64,9 @@ static void run_controller(void)
 {
     static const twd_rate velocity_rad_s[TWD_ICUB_JOINTS] = {TWD_RATE(1), TWD_RATE(-0.5), TWD_RATE(2), TWD_RATE(-3)};
     twd_num angle_rad[TWD_ICUB_JOINTS] = {TWD_NUM(0)};
-    for (int set = 0; set < DRIVE_SETS; set++) {
+    for (unsigned set = 0; set < DRIVE_SETS; set++) {
         double parameter[DRIVE_PARAMETERS];
-        drive_draw(parameter);
+        drive_draw(set, parameter);
         start(parameter);
         for (int tick = 0; tick < DRIVE_TICKS; tick++) {
             twd_num desired_rad[TWD_ICUB_JOINTS];

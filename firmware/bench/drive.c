@@ -2,7 +2,6 @@
 
 #include <twiddle/random.h>
 
-#include <stdbool.h>
 #include <stddef.h>
 
 /* CPG-C's 1-2, 1-3, 3-4 and CPG-M's 1-2; CPG-S has one oscillator. */
@@ -10,12 +9,10 @@ const struct drive_coupling drive_coupling[DRIVE_COUPLINGS] = {{0, 1}, {0, 2}, {
 
 static const double initial_centre[DRIVE_OSCILLATORS] = {0, 0.5, 0, 0, 0, 0, 0};
 
-void drive_draw(double *parameter)
+void drive_draw(unsigned set, double *parameter)
 {
-    static struct twd_random random;
-    static bool seeded;
-    if (!seeded) twd_random_seed(&random, 1);
-    seeded = true;
+    struct twd_random random;
+    twd_random_seed(&random, set);
     for (size_t i = 0; i < DRIVE_PARAMETERS; i++)
         parameter[i] = ((double)(twd_random_next(&random) >> 17) + 0.5) / 32768;
 }

@@ -34,8 +34,8 @@ struct drive_coupling {
 };
 extern const struct drive_coupling drive_coupling[DRIVE_COUPLINGS];
 
-/* Draw the next set's parameters, each in (0, 1), in the order of twiddle/model.h. */
-void drive_draw(double *parameter);
+/* Draw the parameters of `set`, each in (0, 1), in the order of twiddle/model.h. */
+void drive_draw(unsigned set, double *parameter);
 
 /* What `parameter` says, with the limits above and a centre in [0, 1]. */
 void drive_read(const double *parameter, struct drive *drive);

@@ -28,10 +28,10 @@ static void write_error(double error)
 void seven_run(void)
 {
     double largest = 0;
-    for (int set = 0; set < DRIVE_SETS; set++) {
+    for (unsigned set = 0; set < DRIVE_SETS; set++) {
         double parameter[DRIVE_PARAMETERS];
         struct drive drive;
-        drive_draw(parameter);
+        drive_draw(set, parameter);
         drive_read(parameter, &drive);
         seven_start(parameter, &drive);
         reference_start(&drive);

@@ -24,6 +24,16 @@ static int compare(const void *left, const void *right)
     return strcmp(a->name, b->name);
 }
 
+/* Functions written in assembler may have no type: libgcc's for the AVR. What has none and is local is a mere label. */
+static bool is_function(Elf *elf, const GElf_Sym *symbol)
+{
+    GElf_Shdr section;
+    const unsigned type = GELF_ST_TYPE(symbol->st_info);
+    const bool may_be = type == STT_FUNC || (type == STT_NOTYPE && GELF_ST_BIND(symbol->st_info) == STB_GLOBAL);
+    if (!may_be || symbol->st_shndx == SHN_UNDEF || symbol->st_shndx >= SHN_LORESERVE) return false;
+    return gelf_getshdr(elf_getscn(elf, symbol->st_shndx), &section) != NULL && (section.sh_flags & SHF_EXECINSTR);
+}
+
 /* Take the functions of `section` into `table`; false if there are too many. */
 static bool take_functions(struct symbol_table *table, Elf *elf, Elf_Scn *section, const GElf_Shdr *header)
 {
@@ -34,7 +44,7 @@ static bool take_functions(struct symbol_table *table, Elf *elf, Elf_Scn *sectio
 
     GElf_Sym symbol;
     for (int i = 0; gelf_getsym(data, i, &symbol) != NULL; i++) {
-        if (GELF_ST_TYPE(symbol.st_info) != STT_FUNC || symbol.st_shndx == SHN_UNDEF) continue;
+        if (!is_function(elf, &symbol)) continue;
         if (table->count == SYMBOLS_MAX) return false;
         struct function_symbol *const function = &table->function[table->count++];
         function->name = elf_strptr(elf, header->sh_link, symbol.st_name);
