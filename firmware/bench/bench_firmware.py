@@ -51,9 +51,10 @@ OPERATIONS = {
 }
 GATE = "gate and remap"  # the whole tick less the seven oscillators, in the mean
 
-# Of which operations and images the tables say where the cost arises.
-DETAILED = (TICK, "torques", "learn")
-DETAILED_IMAGES = (
+# Of which images and operations the tables say where the cost arises, by the functions of the source; the CSV says it of all by
+# those of the image.
+DETAILED_OPERATIONS = (TICK, "torques", "learn")
+DETAILED = (
     ("microbit", "bench_twiddle_fixed"),
     ("mps2-an386", "bench_twiddle_fixed"),
     ("mps2-an386", "bench_twiddle"),
@@ -68,7 +69,7 @@ class Cost:
     total: int
     least: int
     most: int
-    parts: dict = field(default_factory=dict)  # function where it arose: total
+    parts: dict = field(default_factory=dict)  # address of an instruction, or function, where it arose: total
 
     @property
     def mean(self):
@@ -96,16 +97,43 @@ def read_costs(path):
     return costs
 
 
+def functions_at(image, addresses):
+    """By address, the source's function to which an instruction belongs, inlined or not; arithmetic counts for its user."""
+    command = ["arm-none-eabi-addr2line", "-e", image, "-a", "-f", "-i"]
+    done = subprocess.run(command, input="\n".join(addresses), capture_output=True, text=True, check=True)
+    functions = {}
+    for block in re.split(r"^(?=0x[0-9a-f]+$)", done.stdout, flags=re.MULTILINE)[1:]:
+        address, *lines = block.splitlines()
+        frames = list(zip(lines[::2], lines[1::2]))
+        inner = [function for function, place in frames if not re.search(r"/number\.h:", place)]
+        functions[address] = (inner or [frames[-1][0]])[0]
+    return functions
+
+
+def by_function(image, parts):
+    """Totals by function of totals by address."""
+    functions = functions_at(image, parts)
+    totals = {}
+    for address, total in parts.items():
+        totals[functions[address]] = totals.get(functions[address], 0) + total
+    return totals
+
+
 def measure(run, folder, board, image):
     operations = OPERATIONS if image in TWIDDLE else {SEVEN: OPERATIONS[SEVEN]}
     with tempfile.NamedTemporaryFile(suffix=".csv") as file:
         command = [run, "--seconds", str(SECONDS), "--counts", file.name]
+        if (board.name, image) in DETAILED:
+            command.append("--by-address")
         for function in operations.values():
             command += ["--count", function]
         done = subprocess.run([*command, board.name, folder / image], capture_output=True, text=True)
         if done.returncode != 0:
             raise RuntimeError(f"{image} failed on {board.name}: {(done.stderr or done.stdout).strip()}")
         costs = read_costs(file.name)
+    if (board.name, image) in DETAILED:
+        for cost in costs.values():
+            cost.parts = by_function(folder / image, cost.parts)
     error = re.search(r"error_1e-9 (\d+)", done.stdout)
     if not error or not all(costs[function].calls for function in operations.values()):
         raise RuntimeError(f"{image} on {board.name} ended without doing all that is counted")
@@ -208,12 +236,12 @@ def print_goals(counts):
 
 
 def print_details(counts):
-    for key in DETAILED_IMAGES:
+    for key in DETAILED:
         if key not in counts:
             continue
         count = counts[key]
         rows = [["of", "function", "a call", "share"]]
-        for name in DETAILED:
+        for name in DETAILED_OPERATIONS:
             cost = count.costs[name]
             for part, total in sorted(cost.parts.items(), key=lambda item: -item[1]):
                 rows.append([name, part, whole(total / cost.calls), f"{100 * total / cost.total:.1f} %"])

@@ -1,11 +1,11 @@
 /* avr_run.c: runs an image for the ATmega1284P in simavr, and counts the cycles of calls of chosen functions.
  *
- *     avr_run [--count FUNCTION]... [--out FILE] [--cycles N] [--stdin] IMAGE
+ *     avr_run [--count FUNCTION]... [--out FILE] [--by-address] [--cycles N] [--stdin] IMAGE
  *
  * What the image sends through UART0 goes to standard output; with --stdin, standard input goes to the UART. The exit status
  * is the one that the image leaves in GPIOR0 when it sleeps with interrupts off. An image that crashes, that stops in a
  * loop of one instruction with interrupts off, or that is not done after N cycles ends with status 3. FILE is the CSV of
- * call_counter.h. */
+ * call_counter.h, with its parts by function, or by address. */
 #include "avr_uart_pipe.h"
 #include "call_counter.h"
 
@@ -31,10 +31,11 @@ enum { GPIOR0_ADDRESS = 0x3E };
 /* Cycles from one look at standard input to the next; a byte takes 1,400 at 115,200 baud. */
 enum { INPUT_CYCLES = 700 };
 
-#define USAGE "usage: avr_run [--count FUNCTION]... [--out FILE] [--cycles N] [--stdin] IMAGE"
+#define USAGE "usage: avr_run [--count FUNCTION]... [--out FILE] [--by-address] [--cycles N] [--stdin] IMAGE"
 
 struct options {
     const char *out;
+    enum call_counter_parts parts;
     const char *image;
     avr_cycle_count_t cycles; /* most; 0: any number */
     bool with_stdin;
@@ -70,11 +71,10 @@ static avr_cycle_count_t read_cycles(const char *text)
 
 static struct options read_options(int argc, char **argv)
 {
-    static const struct option known[] = {{"count", required_argument, NULL, 'c'},
-                                          {"out", required_argument, NULL, 'o'},
-                                          {"cycles", required_argument, NULL, 'n'},
-                                          {"stdin", no_argument, NULL, 'i'},
-                                          {NULL, 0, NULL, 0}};
+    static const struct option known[] = {
+        {"count", required_argument, NULL, 'c'}, {"out", required_argument, NULL, 'o'},
+        {"by-address", no_argument, NULL, 'a'},  {"cycles", required_argument, NULL, 'n'},
+        {"stdin", no_argument, NULL, 'i'},       {NULL, 0, NULL, 0}};
     struct options options = {.functions = 0};
     for (int option = 0; (option = getopt_long(argc, argv, "", known, NULL)) != -1;) {
         if (option == '?') fail(WRONG_USE, USAGE);
@@ -82,6 +82,7 @@ static struct options read_options(int argc, char **argv)
             fail(WRONG_USE, "%d functions at most can be counted at once", COUNTED_CALLS_MAX);
         if (option == 'c') options.function[options.functions++] = optarg;
         if (option == 'o') options.out = optarg;
+        if (option == 'a') options.parts = PARTS_BY_ADDRESS;
         if (option == 'n') options.cycles = read_cycles(optarg);
         if (option == 'i') options.with_stdin = true;
     }
@@ -166,11 +167,11 @@ static int run(avr_t *avr, const struct options *options)
     return avr->data[GPIOR0_ADDRESS];
 }
 
-static void write_counts(const char *path)
+static void write_counts(const struct options *options)
 {
-    FILE *const file = fopen(path, "w");
-    if (file != NULL) call_counter_write(&counter, "cycles", file);
-    if (file == NULL || fclose(file) != 0) fail(FAILURE, "cannot write %s", path);
+    FILE *const file = fopen(options->out, "w");
+    if (file != NULL) call_counter_write(&counter, "cycles", options->parts, file);
+    if (file == NULL || fclose(file) != 0) fail(FAILURE, "cannot write %s", options->out);
 }
 
 int main(int argc, char **argv)
@@ -179,6 +180,6 @@ int main(int argc, char **argv)
     prepare_counter(&options);
     const int status = run(make_avr(&options), &options);
     if (!avr_uart_pipe_flush()) fail(FAILURE, "cannot write the image's output");
-    if (options.out != NULL) write_counts(options.out);
+    if (options.out != NULL) write_counts(&options);
     return status;
 }

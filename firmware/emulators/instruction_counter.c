@@ -1,8 +1,9 @@
 /* instruction_counter.c: a QEMU plugin that counts the instructions of calls of chosen functions, to the instruction.
  *
- *     -plugin instruction_counter.so,image=FILE,count=FUNCTION[,count=FUNCTION...],out=FILE
+ *     -plugin instruction_counter.so,image=FILE,count=FUNCTION[,count=FUNCTION...],out=FILE[,parts=address]
  *
- * `image` is the ELF file that runs, `out` the CSV that is written when QEMU ends (call_counter.h). An instruction whose
+ * `image` is the ELF file that runs, `out` the CSV that is written when QEMU ends (call_counter.h), with its parts by
+ * function, or by address. An instruction whose
  * condition fails counts, as it does on the chip. For boards with one core and addresses of 32 bits. */
 #include "qemu_plugin.h"
 
@@ -17,6 +18,7 @@ int qemu_plugin_version = QEMU_PLUGIN_VERSION;
 static struct call_counter counter;
 static uint64_t executed;
 static const char *out;
+static enum call_counter_parts parts;
 
 /* Address and size of an instruction travel in the pointer that QEMU hands to its callback. */
 typedef char pointers_hold_64_bits[sizeof(void *) == 8 ? 1 : -1];
@@ -61,7 +63,7 @@ static void at_exit(qemu_plugin_id_t id, void *data)
     (void)id;
     (void)data;
     FILE *const file = fopen(out, "w");
-    if (file != NULL) call_counter_write(&counter, "instructions", file);
+    if (file != NULL) call_counter_write(&counter, "instructions", parts, file);
     /* QEMU is ending, with the image's exit status: a missing file must be told from here. */
     if (file == NULL || fclose(file) != 0) fprintf(stderr, "instruction_counter: cannot write %s\n", out);
 }
@@ -80,6 +82,7 @@ static void read_arguments(int argc, char **argv)
     for (int i = 0; i < argc; i++) {
         if (value_of(argv[i], "image")) image = value_of(argv[i], "image");
         if (value_of(argv[i], "out")) out = value_of(argv[i], "out");
+        if (strcmp(argv[i], "parts=address") == 0) parts = PARTS_BY_ADDRESS;
     }
     if (image == NULL || out == NULL) refuse(2, "expected image=FILE and out=FILE");
     out = strdup(out);

@@ -61,6 +61,16 @@ END
     grep -v '^#' "$work/counts.csv" | sort | diff "$work/expected" - >&2 || fail 'other counts than those by hand'
     grep -q "^# $unit " "$work/counts.csv" || fail "does not say that it counts $unit"
     ;;
+counts_by_address)
+    run_it 42 --by-address --count loop_of_100 --counts "$work/counts.csv" "$bin/emulator_known_costs"
+    # Three calls: load, a hundred times decrement and branch, return.
+    case $board in
+        atmega1284p) expected='3 300 597 12' ;;
+        *) expected='3 300 300 3' ;;
+    esac
+    got=$(grep '^loop_of_100,0x' "$work/counts.csv" | cut -d , -f 4 | paste -s -d ' ')
+    [[ $got == "$expected" ]] || fail "costs of the four instructions: $got, expected $expected"
+    ;;
 counts_the_same_again)
     count_known_costs "$work/first.csv"
     count_known_costs "$work/second.csv"
