@@ -20,19 +20,19 @@ static uint64_t executed;
 static const char *out;
 static enum call_counter_parts parts;
 
-/* Address and size of an instruction travel in the pointer that QEMU hands to its callback. */
-typedef char pointers_hold_64_bits[sizeof(void *) == 8 ? 1 : -1];
-
-static void *packed(uint64_t address, size_t size)
-{
-    return (void *)(uintptr_t)((uint64_t)size << 32 | (address & UINT32_MAX));
-}
+/* Where an instruction is; travels as the bits of the pointer that QEMU hands to its callback. */
+struct place {
+    uint32_t address;
+    uint32_t size;
+};
+typedef char a_pointer_holds_a_place[sizeof(void *) == sizeof(struct place) ? 1 : -1];
 
 static void before_instruction(unsigned int cpu, void *data)
 {
     (void)cpu;
-    const uint64_t place = (uint64_t)(uintptr_t)data;
-    call_counter_instruction(&counter, (uint32_t)place, (uint32_t)(place >> 32), executed);
+    struct place place;
+    memcpy(&place, &data, sizeof place);
+    call_counter_instruction(&counter, place.address, place.size, executed);
     executed++;
 }
 
@@ -42,8 +42,11 @@ static void after_translation(qemu_plugin_id_t id, struct qemu_plugin_tb *block)
     const size_t count = qemu_plugin_tb_n_insns(block);
     for (size_t i = 0; i < count; i++) {
         struct qemu_plugin_insn *const instruction = qemu_plugin_tb_get_insn(block, i);
-        void *const place = packed(qemu_plugin_insn_vaddr(instruction), qemu_plugin_insn_size(instruction));
-        qemu_plugin_register_vcpu_insn_exec_cb(instruction, before_instruction, QEMU_PLUGIN_CB_NO_REGS, place);
+        const struct place place = {(uint32_t)qemu_plugin_insn_vaddr(instruction),
+                                    (uint32_t)qemu_plugin_insn_size(instruction)};
+        void *data;
+        memcpy(&data, &place, sizeof data);
+        qemu_plugin_register_vcpu_insn_exec_cb(instruction, before_instruction, QEMU_PLUGIN_CB_NO_REGS, data);
     }
 }
 
