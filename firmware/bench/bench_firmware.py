@@ -51,8 +51,8 @@ OPERATIONS = {
 }
 GATE = "gate and remap"  # the whole tick less the seven oscillators, in the mean
 
-# Of which images and operations the tables say where the cost arises, by the functions of the source; the CSV says it of all by
-# those of the image.
+# Of which images and operations the tables say where the cost arises, by the functions of the source; the CSV says it
+# of all by those of the image.
 DETAILED_OPERATIONS = (TICK, "torques", "learn")
 DETAILED = (
     ("microbit", "bench_twiddle_fixed"),

@@ -1,7 +1,7 @@
 /* drive.h: the parameter sets that every bench image runs, the same on every board and in every number format.
  *
- * Each parameter has 16 bits, so that it and all that drives an oscillator is exact in float, in Q4.28 and in q31: what differs
- * between two formats after some ticks came about in the ticks. */
+ * Each parameter has 16 bits, so that it and all that drives an oscillator is exact in float, in Q4.28 and in q31:
+ * what differs between two formats after some ticks came about in the ticks. */
 #ifndef TWIDDLE_BENCH_DRIVE_H
 #define TWIDDLE_BENCH_DRIVE_H
 

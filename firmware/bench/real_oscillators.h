@@ -1,7 +1,7 @@
 /* real_oscillators.h: the seven oscillators in a floating-point type, with a library's sine and cosine; otherwise as
  * controller/src/cpg.c and twiddle/filter.h have them.
  *
- * The source that includes it defines the type `real` and the macros SINE, COSINE and EXP for it first. Angles are in rad. */
+ * The source that includes it defines the type `real` and the macros SINE, COSINE and EXP first. Angles are in rad. */
 #include "drive.h"
 
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* reference.h: the seven oscillators in double with the C library's sin and cos, that all others are compared with. On the AVR
- * a double is a float, and so no reference. */
+/* reference.h: the seven oscillators in double with the C library's sin and cos, that all others are compared with. On
+ * the AVR a double is a float, and so no reference. */
 #ifndef TWIDDLE_BENCH_REFERENCE_H
 #define TWIDDLE_BENCH_REFERENCE_H
 

@@ -1,4 +1,4 @@
-/* seven.h: one way to compute CPG-H's seven oscillators; each bench image links one. `seven_tick` is what is counted. */
+/* seven.h: one way to compute CPG-H's seven oscillators; each bench image links one. What is counted is seven_tick. */
 #ifndef TWIDDLE_BENCH_SEVEN_H
 #define TWIDDLE_BENCH_SEVEN_H
 
@@ -15,7 +15,7 @@ void seven_tick(void) __attribute__((noinline));
 /* Output of oscillator `index` after the last tick, of the joint's range. */
 double seven_output(size_t index);
 
-/* Run all sets of drive.h, and write the largest error of an output, against the same in double, where double has 64 bits. */
+/* Run all sets of drive.h, and write the largest error of an output against reference.h. */
 void seven_run(void);
 
 #endif

@@ -1,8 +1,8 @@
 /* The seven oscillators in q31 with CMSIS-DSP's arm_sin_q31 and arm_cos_q31; otherwise as controller/src/cpg.c and
  * twiddle/filter.h have them.
  *
- * Phases are in turns, [0, 1), as those functions take them. Amplitudes, centres, pulls and outputs are halved: an output
- * reaches from -0.5 to 1.5. */
+ * Phases are in turns, [0, 1), as those functions take them. Amplitudes, centres, pulls and outputs are halved: an
+ * output reaches from -0.5 to 1.5. */
 #include "seven.h"
 
 #include <dsp/fast_math_functions.h>

@@ -2,10 +2,10 @@
  *
  *     avr_run [--count FUNCTION]... [--out FILE] [--by-address] [--cycles N] [--stdin] IMAGE
  *
- * What the image sends through UART0 goes to standard output; with --stdin, standard input goes to the UART. The exit status
- * is the one that the image leaves in GPIOR0 when it sleeps with interrupts off. An image that crashes, that stops in a
- * loop of one instruction with interrupts off, or that is not done after N cycles ends with status 3. FILE is the CSV of
- * call_counter.h, with its parts by function, or by address. */
+ * What the image sends through UART0 goes to standard output; with --stdin, standard input goes to the UART. The exit
+ * status is the one that the image leaves in GPIOR0 when it sleeps with interrupts off. An image that crashes, that
+ * stops in a loop of one instruction with interrupts off, or that is not done after N cycles ends with status 3. FILE
+ * is the CSV of call_counter.h, with its parts by function, or by address. */
 #include "avr_uart_pipe.h"
 #include "call_counter.h"
 

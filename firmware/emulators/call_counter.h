@@ -43,8 +43,8 @@ struct call_counter {
     uint64_t total;        /* the total cost before it */
 };
 
-/* Make `counter`, all zero, a counter for the ELF file `image` that counts nothing yet. On failure, false and a sentence in
- * `error`. */
+/* Make `counter`, all zero, a counter for the ELF file `image` that counts nothing yet. On failure, false and a
+ * sentence in `error`. */
 bool call_counter_make(struct call_counter *counter, const char *image, char *error, size_t error_size);
 
 /* Count calls of `function`, too. On failure, false and a sentence in `error`. */
@@ -56,8 +56,8 @@ void call_counter_instruction(struct call_counter *counter, uint32_t address, ui
 /* What a row of `part` is. */
 enum call_counter_parts { PARTS_BY_FUNCTION = 0, PARTS_BY_ADDRESS = 1 };
 
-/* Write what was counted as CSV: a row a counted function with an empty `part`, then a row a function, or an address of an
- * instruction, where its cost arose. `unit` is what was counted. */
+/* Write what was counted as CSV: a row a counted function with an empty `part`, then a row a function, or an address
+ * of an instruction, where its cost arose. `unit` is what was counted. */
 void call_counter_write(const struct call_counter *counter, const char *unit, enum call_counter_parts parts,
                         FILE *file);
 

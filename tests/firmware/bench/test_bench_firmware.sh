@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# test_bench_firmware.sh SOURCE_DIR IMAGES CLAIM: one claim about firmware/bench/bench_firmware.py, on made-up counts or on the images
-# that `make firmware` builds.
+# test_bench_firmware.sh SOURCE_DIR IMAGES CLAIM: one claim about firmware/bench/bench_firmware.py, on made-up counts
+# or on the images that `make firmware` builds.
 set -euo pipefail
 
 source=$1
@@ -23,8 +23,8 @@ bench()
     [[ $status == "$wanted" ]] || fail "exit status $status, expected $wanted; it said: $(<"$work/output")"
 }
 
-# A stand-in for firmware/emulators/run with MADE-UP counts, nothing here was measured: the seven oscillators take 400 in fixed
-# point, 900 in float and 1,000 with the C library, the whole tick 100 more.
+# A stand-in for firmware/emulators/run with MADE-UP counts, nothing here was measured: the seven oscillators take 400
+# in fixed point, 900 in float and 1,000 with the C library, the whole tick 100 more.
 make_up_counts()
 {
     mkdir -p "$work/images/virt-O2/bin"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# fetch-cmsis-dsp against a stand-in for python3, whose virtual environments hold a stand-in for pip; nothing is downloaded.
-# Each function is one claim. Usage: test_fetch_cmsis_dsp.sh SOURCE_DIR
+# fetch-cmsis-dsp against a stand-in for python3, whose virtual environments hold a stand-in for pip; nothing is
+# downloaded. Each function is one claim. Usage: test_fetch_cmsis_dsp.sh SOURCE_DIR
 set -euo pipefail
 
 source=$1

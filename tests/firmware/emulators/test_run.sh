@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# test_run.sh RUN IMAGES BOARD CLAIM: one claim about firmware/emulators/run on one board. IMAGES/BOARD-O2/bin has the images of
-# images/ (make firmware); TWIDDLE_EMULATORS our programs.
+# test_run.sh RUN IMAGES BOARD CLAIM: one claim about firmware/emulators/run on one board. IMAGES/BOARD-O2/bin has the
+# images of images/ (make firmware); TWIDDLE_EMULATORS our programs.
 set -euo pipefail
 
 run=$1
@@ -17,7 +17,8 @@ fail()
 
 [[ -r $bin/emulator_known_costs ]] || fail "there is no $bin/emulator_known_costs; make firmware builds it"
 
-# run_it STATUS OPTION... IMAGE: run an image, or anything else, on the board; its output is then in `output` and `error`.
+# run_it STATUS OPTION... IMAGE: run an image, or anything else, on the board; its output is then in `output` and
+# `error`.
 run_it()
 {
     local wanted=$1 status=0

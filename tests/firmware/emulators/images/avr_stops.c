@@ -1,4 +1,4 @@
-/* avr_stops.c: stops in a loop of one instruction with interrupts off, as a program does that calls avr-libc's abort. */
+/* avr_stops.c: stops in a loop of one instruction with interrupts off, as avr-libc's abort does. */
 #include <avr/interrupt.h>
 
 int main(void)
