@@ -81,6 +81,15 @@ passes_on_output_and_status)
     run_it 42 "$bin/emulator_known_costs"
     [[ $output == 'called them all' && -z $error ]] || fail "said: $output $error"
     ;;
+passes_on_arguments)
+    "$run" "$board" "$bin/emulator_arguments" 'one,two' three >"$work/output" || fail "exit status $?"
+    [[ $(<"$work/output") == "$bin/emulator_arguments one,two three" ]] || fail "command line: $(<"$work/output")"
+    ;;
+refuses_arguments)
+    status=0
+    "$run" "$board" "$bin/emulator_stops" one 2>"$work/error" || status=$?
+    [[ $status == 2 && $(<"$work/error") == 'run: atmega1284p passes no arguments to its image' ]] || fail "said: $(<"$work/error")"
+    ;;
 ends_a_hang_in_time)
     SECONDS=0
     run_it 124 --seconds 1 "$bin/emulator_hangs"
