@@ -145,9 +145,9 @@ static void phases_start_as_the_setting_says(void **state)
     make(&other, &config); /* at 0 */
     assert_int_equal(twd_controller_start(&controller, parameter, 5), TWD_OK);
     assert_int_equal(twd_controller_start(&other, parameter, 5), TWD_OK);
-    assert_int_equal(controller.cpg[0].oscillator[0].phase, 0);
-    assert_int_equal(controller.cpg[0].oscillator[1].phase, TWD_QUARTER_TURN);
-    assert_int_equal(other.cpg[0].oscillator[1].phase, 0);
+    assert_int_equal(controller.cpg.oscillator[0].phase, 0);
+    assert_int_equal(controller.cpg.oscillator[1].phase, TWD_QUARTER_TURN);
+    assert_int_equal(other.cpg.oscillator[1].phase, 0);
 }
 
 /* T = g + Kp (desired - actual) - Kd velocity by hand, with m g l cos(q) = 0.01962 cos(q) N m at the joint with a

@@ -109,8 +109,8 @@ static void trees_reach_their_limit_cycle(void **state)
             twd_cpg_tick(&cpg);
 
         for (uint8_t i = 0; i < cpg.topology->oscillators; i++) {
-            assert_num_close(twd_cpg_amplitude(&cpg, i), twd_num_to_double(drive.amplitude[i]), SETTLED);
-            assert_num_close(twd_cpg_centre(&cpg, i), twd_num_to_double(drive.centre[i]), SETTLED);
+            assert_num_close(cpg.oscillator[i].amplitude.value, twd_num_to_double(drive.amplitude[i]), SETTLED);
+            assert_num_close(cpg.oscillator[i].centre.value, twd_num_to_double(drive.centre[i]), SETTLED);
         }
         assert_lags(&cpg, 1e-6);
     }
@@ -175,9 +175,9 @@ static void outputs_follow_both_equations(void **state)
         for (uint8_t i = 0; i < 4; i++) {
             const double cos_a = cos(2.0 * PI * signed_turns(with_centre.oscillator[i].phase));
             const double cos_b = cos(2.0 * PI * signed_turns(without_centre.oscillator[i].phase));
-            const double amplitude_a = twd_num_to_double(twd_cpg_amplitude(&with_centre, i));
-            const double amplitude_b = twd_num_to_double(twd_cpg_amplitude(&without_centre, i));
-            const double centre = twd_num_to_double(twd_cpg_centre(&with_centre, i));
+            const double amplitude_a = twd_num_to_double(with_centre.oscillator[i].amplitude.value);
+            const double amplitude_b = twd_num_to_double(without_centre.oscillator[i].amplitude.value);
+            const double centre = twd_num_to_double(with_centre.oscillator[i].centre.value);
             assert_num_close(twd_cpg_output(&with_centre, i), centre + amplitude_a * cos_a, tolerance);
             assert_num_close(twd_cpg_output(&without_centre, i), amplitude_b * (1.0 + cos_b), tolerance);
         }
@@ -253,10 +253,10 @@ static void centres_start_as_the_setting_says(void **state)
             drive.centre[i] = twd_num_from_double(target[i]);
         twd_cpg_start(&cpg, &drive, phase);
         for (uint8_t i = 0; i < 4; i++)
-            assert_num_close(twd_cpg_centre(&cpg, i), expected[start][i], 0.0);
+            assert_num_close(cpg.oscillator[i].centre.value, expected[start][i], 0.0);
         twd_cpg_tick(&cpg);
         for (uint8_t i = 0; start == TWD_CENTRE_START_AT_TARGET && i < 4; i++)
-            assert_num_close(twd_cpg_centre(&cpg, i), target[i], 0.0);
+            assert_num_close(cpg.oscillator[i].centre.value, target[i], 0.0);
     }
 }
 
