@@ -21,7 +21,7 @@ static enum twd_error set_finger(struct twd_finger *finger, const struct twd_cha
     const twd_num held_rad[2] = {distal_rad, distal_rad};
     finger->joint[0] = (uint8_t)first;
     finger->joint[1] = (uint8_t)second;
-    return twd_gravity_init(&finger->gravity, chain, 2, held_rad, TWD_NUM(9.81), gravity_direction);
+    return twd_gravity_init(&finger->gravity, chain, 2, held_rad, TWD_WIDE(9.81), gravity_direction);
 }
 
 enum twd_error icub_controller_config(struct twd_controller_config *config)
@@ -29,9 +29,9 @@ enum twd_error icub_controller_config(struct twd_controller_config *config)
     *config = (struct twd_controller_config){
         .model = &twd_model_h,
         .oscillators = {.with_centre = true,
-                        .tick_s = TWD_NUM(0.01),
-                        .amplitude_rate_per_s = TWD_NUM(20),
-                        .centre_rate_per_s = TWD_NUM(20)},
+                        .tick_s = TWD_SMALL(0.01),
+                        .amplitude_rate_per_s = TWD_RATE(20),
+                        .centre_rate_per_s = TWD_RATE(20)},
         .ranges = {.frequency_lower_hz = TWD_NUM(0.233),
                    .frequency_upper_hz = TWD_NUM(1.11),
                    .lone_frequency_hz = TWD_NUM(0.948),
@@ -69,5 +69,5 @@ struct twd_agent_config icub_agent_config(uint32_t trials, uint64_t seed)
 
 void icub_small_sphere(twd_num *input)
 {
-    twd_input_map(TWD_SHAPE_SPHERE, TWD_NUM(0.028), TWD_NUM(10), input);
+    twd_input_map(TWD_SHAPE_SPHERE, TWD_NUM(0.028), TWD_WIDE(10), input);
 }

@@ -1,2 +1,2 @@
 # Start-up and linker script are avr-libc's.
-twiddle_board(atmega1284p SOURCES boards/atmega1284p/board.c)
+twiddle_board(atmega1284p CORE AVR SOURCES boards/atmega1284p/board.c)
