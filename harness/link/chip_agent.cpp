@@ -192,8 +192,18 @@ class ChipAgent : public experiment::Agent
         }
         Request learner;
         ask_plainly(TWD_REQUEST_LEARNER, learner.with(twd_transfer_learner, &copy.learner));
-        Request begin;
-        ask_plainly(TWD_REQUEST_BEGIN, begin);
+        begin();
+    }
+
+    void begin()
+    {
+        try {
+            Request request;
+            ask_plainly(TWD_REQUEST_BEGIN, request);
+        } catch (const LibraryRefusal &refusal) {
+            throw LinkError(link_.name() + " refuses set-up '" + setup_.name +
+                            "': " + twd_error_text(static_cast<twd_error>(refusal.error())));
+        }
     }
 
     FrameLink link_;

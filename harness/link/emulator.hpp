@@ -1,5 +1,5 @@
 // emulator.hpp: a chip in QEMU, with an image that reads and writes the FIFOs to-chip and from-chip
-// (firmware/agent/main.c).
+// (firmware/agent/main_files.c).
 #pragma once
 
 #include "child_process.hpp"

@@ -40,10 +40,9 @@ std::uint32_t word(const twd_frame &frame, std::size_t index)
     return value;
 }
 
-std::string refusal_text(const twd_frame &answer)
+std::string refusal_text(std::uint32_t refusal)
 {
-    if (answer.length != 8) return "answered with an error of another protocol";
-    switch (word(answer, 0)) {
+    switch (refusal) {
     case TWD_REFUSAL_DAMAGED:
         return "received a damaged frame: what was sent does not arrive as it was";
     case TWD_REFUSAL_TYPE:
@@ -52,11 +51,8 @@ std::string refusal_text(const twd_frame &answer)
         return "refused a request for its payload: its firmware is of another build than this program";
     case TWD_REFUSAL_ORDER:
         return "refused a request as out of order: it has been reset, or something else talks to it";
-    case TWD_REFUSAL_LIBRARY:
-        return "refused the set-up: error " + std::to_string(static_cast<std::int32_t>(word(answer, 1))) +
-               " of twiddle/error.h";
     default:
-        return "answered with the unknown error " + std::to_string(word(answer, 0));
+        return "answered with the unknown error " + std::to_string(refusal);
     }
 }
 
@@ -100,7 +96,7 @@ const twd_frame &FrameLink::ask(twd_request type, twd_frame &request)
         // An error without a sequence number is about a frame that arrived damaged; other strange numbers are late
         // greetings.
         if (answer_.type == TWD_ANSWER_ERROR && (answer_.sequence == sequence_ || answer_.sequence == 0))
-            fail(refusal_text(answer_));
+            fail_refused();
         if (answer_.sequence != sequence_) continue;
         if (answer_.type != (static_cast<unsigned>(type) | TWD_ANSWER)) fail("answered another request than the last");
         return answer_;
@@ -166,6 +162,17 @@ bool FrameLink::read_some(Time deadline)
 void FrameLink::fail(const std::string &rest) const
 {
     throw LinkError(connection_->name() + " " + rest);
+}
+
+// The chip answered with an error.
+void FrameLink::fail_refused() const
+{
+    if (answer_.length != 8) fail("answered with an error of another protocol");
+    const std::uint32_t refusal = word(answer_, 0);
+    if (refusal != TWD_REFUSAL_LIBRARY) fail(refusal_text(refusal));
+    const auto error = static_cast<std::int32_t>(word(answer_, 1));
+    throw LibraryRefusal(
+        connection_->name() + " refused a request: error " + std::to_string(error) + " of twiddle/error.h", error);
 }
 
 // The link is at its end; say why, as soon as that is known.

@@ -17,6 +17,23 @@ namespace twiddle::link
 constexpr std::chrono::milliseconds answer_limit{3000};
 constexpr std::chrono::milliseconds start_limit{4000};
 
+// The library on the chip refuses what it was asked for.
+class LibraryRefusal : public LinkError
+{
+  public:
+    // `error` is its enum twd_error.
+    LibraryRefusal(const std::string &sentence, int error) : LinkError(sentence), error_(error)
+    {
+    }
+    int error() const
+    {
+        return error_;
+    }
+
+  private:
+    int error_;
+};
+
 class FrameLink
 {
   public:
@@ -27,7 +44,7 @@ class FrameLink
     const twd_frame &greet();
 
     // Send `request`, whose payload the caller has written, and wait for its answer. Throws LinkError for a chip that
-    // is silent, damages frames, or refuses the request.
+    // is silent, damages frames, or refuses the request; LibraryRefusal if it is the library that does.
     const twd_frame &ask(twd_request type, twd_frame &request);
 
     // The chip in a sentence.
@@ -41,6 +58,7 @@ class FrameLink
     twd_frame_found next(Time deadline); // TWD_FRAME_NONE at the deadline
     bool read_some(Time deadline);       // false at the deadline
     [[noreturn]] void fail(const std::string &rest) const;
+    [[noreturn]] void fail_refused() const;
     [[noreturn]] void fail_ended(const std::string &otherwise);
 
     std::unique_ptr<Connection> connection_;

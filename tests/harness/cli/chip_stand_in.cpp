@@ -3,8 +3,8 @@
 //     chip_stand_in PORT [FAULT ANSWERS]
 //
 // makes PORT a link to the pseudo-terminal and serves an agent there until the port has been opened and closed. FAULT
-// comes after so many answers: `silent` answers no more, `damage` changes a bit of each answer, `die` ends the program. When it comes, the
-// file PORT.fault is made.
+// comes after so many answers: `silent` answers no more, `damage` changes a bit of each answer, `die` ends the program.
+// When it comes, the file PORT.fault is made.
 #include "../pseudo_terminal.hpp"
 #include "agent/agent_server.h"
 

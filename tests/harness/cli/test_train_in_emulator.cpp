@@ -1,5 +1,6 @@
 // Training with the agent on a chip in QEMU, with the images of `make firmware`.
 #include "../scratch_folder.hpp"
+#include "link/child_process.hpp"
 #include "program.hpp"
 #include "record/json_file.hpp"
 
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <utility>
@@ -69,6 +71,30 @@ INSTANTIATE_TEST_SUITE_P(Boards, TrainOnEveryBoard, testing::Values("microbit", 
                              std::replace(name.begin(), name.end(), '-', '_');
                              return name;
                          });
+
+// The image for a micro:bit's serial line, in a QEMU whose line is a pseudo-terminal, learns the same, too. One trial,
+// since QEMU's line carries some hundred round trips a second.
+TEST(TrainInEmulator, serial_line_gives_the_bytes_of_the_host)
+{
+    const ScratchFolder folder;
+    const fs::path output = folder.path() / "output";
+    twiddle::link::ChildProcess qemu({"qemu-system-arm", "-M", "microbit", "-display", "none", "-monitor", "none",
+                                      "-serial", "pty", "-kernel",
+                                      TWIDDLE_FIRMWARE "/microbit-O2/bin/agent_serial_fixed"},
+                                     folder.path(), output);
+    std::string port;
+    while (port.empty() && qemu.end().empty()) { // "char device redirected to /dev/pts/3 (label serial0)"
+        std::istringstream words(text_of(output));
+        while (words >> port && port.rfind("/dev/", 0) != 0) {
+            port.clear();
+        }
+    }
+    const std::string skill = " --object small-sphere --model cpg-h --seed 6 --trials 1 --out ";
+    const Outcome there = run_twiddle("train --port " + port + skill + (folder.path() / "chip").string());
+    ASSERT_EQ(there.status, 0) << there.error << qemu.end() << text_of(output);
+    ASSERT_EQ(run_twiddle("train --number fixed" + skill + (folder.path() / "host").string()).status, 0);
+    expect_same_results(folder.path() / "host", folder.path() / "chip");
+}
 
 const std::string interrupted_skill = "--object medium-cube --model cpg-h --seed 3 --trials 40";
 

@@ -1,6 +1,6 @@
 #include "../scratch_folder.hpp"
-#include "link/descriptor.hpp"
 #include "link/frame_link.hpp"
+#include "socket_pair.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,6 @@
 #include <thread>
 #include <vector>
 
-#include <fcntl.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 namespace
@@ -20,34 +18,13 @@ using namespace twiddle::link;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 using twiddle::test::error_of;
+using twiddle::test::SocketConnection;
+using twiddle::test::SocketPair;
 
-// Both ends of a link within this process.
-class Pair
+// A link whose chip's end understands requests.
+class Pair : public SocketPair
 {
   public:
-    Pair()
-    {
-        std::array<int, 2> ends{};
-        if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-            throw std::runtime_error("cannot make a pair of sockets");
-        ours_ = Descriptor(ends[0]);
-        chips_ = Descriptor(ends[1]);
-        ::fcntl(ours_.number(), F_SETFL, O_NONBLOCK);
-    }
-
-    int ours() const
-    {
-        return ours_.number();
-    }
-    int chips() const
-    {
-        return chips_.number();
-    }
-    void close_chips()
-    {
-        chips_ = Descriptor();
-    }
-
     // The next request that comes to the chip's end.
     twd_frame take_request()
     {
@@ -55,7 +32,7 @@ class Pair
         while (twd_frame_reader_next(&reader_, &frame) != TWD_FRAME_WHOLE) {
             std::size_t capacity = 0;
             std::uint8_t *space = twd_frame_reader_space(&reader_, &capacity);
-            const ssize_t count = ::read(chips_.number(), space, capacity);
+            const ssize_t count = ::read(chips(), space, capacity);
             if (count <= 0) throw std::runtime_error("the link was closed");
             twd_frame_reader_filled(&reader_, static_cast<std::size_t>(count));
         }
@@ -64,36 +41,6 @@ class Pair
 
   private:
     twd_frame_reader reader_{};
-    Descriptor ours_;
-    Descriptor chips_;
-};
-
-class PairConnection : public Connection
-{
-  public:
-    explicit PairConnection(const Pair &pair, std::string death = "") : pair_(pair), death_(std::move(death))
-    {
-    }
-    std::string name() const override
-    {
-        return "the chip";
-    }
-    int input() const override
-    {
-        return pair_.ours();
-    }
-    int output() const override
-    {
-        return pair_.ours();
-    }
-    std::string death() override
-    {
-        return death_;
-    }
-
-  private:
-    const Pair &pair_;
-    std::string death_;
 };
 
 void put(const Pair &pair, const std::vector<std::uint8_t> &bytes)
@@ -116,7 +63,7 @@ std::vector<std::uint8_t> bytes_of(unsigned type, unsigned sequence, const std::
 // Ask for a TD error while a chip behaves as `chip`; returns what is thrown.
 std::string complaint(Pair &pair, const std::function<void(const twd_frame &)> &chip, const std::string &death = "")
 {
-    FrameLink link(std::make_unique<PairConnection>(pair, death));
+    FrameLink link(std::make_unique<SocketConnection>(pair, death));
     std::thread thread([&] { chip(pair.take_request()); });
     const std::string sentence = error_of([&] {
         twd_frame request{};
@@ -130,7 +77,7 @@ std::string complaint(Pair &pair, const std::function<void(const twd_frame &)> &
 TEST(FrameLink, answer_is_found_behind_noise)
 {
     Pair pair;
-    FrameLink link(std::make_unique<PairConnection>(pair));
+    FrameLink link(std::make_unique<SocketConnection>(pair));
     for (int round = 0; round < 600; ++round) { // more than there are sequence numbers
         std::thread chip([&] {
             const twd_frame request = pair.take_request();
@@ -154,7 +101,7 @@ TEST(FrameLink, answer_is_found_behind_noise)
 TEST(FrameLink, greeting_reaches_a_chip_that_wakes_late)
 {
     Pair pair;
-    FrameLink link(std::make_unique<PairConnection>(pair));
+    FrameLink link(std::make_unique<SocketConnection>(pair));
     std::thread chip([&] {
         std::this_thread::sleep_for(milliseconds(700));
         put(pair, {0, 'b', 'o', 'o', 't', '\n'});
@@ -177,7 +124,7 @@ TEST(FrameLink, silence_is_given_up_within_5_s)
     EXPECT_LT(steady_clock::now() - start, milliseconds(5000));
 
     const auto greeting = steady_clock::now();
-    FrameLink link(std::make_unique<PairConnection>(pair));
+    FrameLink link(std::make_unique<SocketConnection>(pair));
     const std::string sentence = error_of([&] { link.greet(); });
     EXPECT_EQ(sentence.find("the chip does not answer"), 0U) << sentence;
     EXPECT_LT(steady_clock::now() - greeting, milliseconds(5000));
@@ -193,7 +140,7 @@ TEST(FrameLink, full_link_is_given_up_within_5_s)
     while (::write(pair.ours(), bytes.data(), 1) > 0) {
     }
     const auto start = steady_clock::now();
-    FrameLink link(std::make_unique<PairConnection>(pair));
+    FrameLink link(std::make_unique<SocketConnection>(pair));
     twd_frame request{};
     EXPECT_THROW(link.ask(TWD_REQUEST_LEARN, request), LinkError);
     EXPECT_LT(steady_clock::now() - start, milliseconds(5000));
@@ -225,7 +172,8 @@ TEST(FrameLink, wrong_answers_are_told_apart)
     EXPECT_NE(refusal(TWD_REFUSAL_TYPE, 255).find("does not know a request"), std::string::npos);
     EXPECT_NE(refusal(TWD_REFUSAL_PAYLOAD, 255).find("another build"), std::string::npos);
     EXPECT_NE(refusal(TWD_REFUSAL_ORDER, 255).find("out of order"), std::string::npos);
-    EXPECT_NE(refusal(TWD_REFUSAL_LIBRARY, 247).find("error -9 of twiddle/error.h"), std::string::npos);
+    EXPECT_NE(refusal(TWD_REFUSAL_LIBRARY, 247).find("refused a request: error -9 of twiddle/error.h"),
+              std::string::npos);
     EXPECT_NE(refusal(99, 0).find("unknown error 99"), std::string::npos);
     EXPECT_NE(answer(TWD_REQUEST_ACT | TWD_ANSWER, 0, {}).find("another request"), std::string::npos);
     EXPECT_LT(steady_clock::now() - start, milliseconds(2000));
