@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""Worst stack of functions of a firmware image, in bytes.
+
+What a function needs for itself is the compiler's word (-fstack-usage, .su files) or, for functions that came without one (the C
+library's and libgcc's), what it pushes on its way through its disassembly. Who calls whom is read from the
+disassembly of the linked image. A stack that has no bound is printed as `unknown`, with the reason: recursion, a call
+through a pointer, a frame of variable size. Interrupts come on top, wherever they strike.
+"""
+
+import argparse
+import os
+import re
+import sys
+
+from disassembly import Code
+from instructions import BRANCH, CALL, CALL_BY_POINTER, JUMP, JUMP_BY_POINTER, RETURN, SKIP, TABLE_JUMP
+
+# AVR's switches jump to this function, which jumps by the table back into them.
+TABLE_HELPER = re.compile(r"__tablejump2?__$")
+
+# More than any board's RAM of this kind: only a loop that pushes comes here.
+ENDLESS = 1 << 16
+
+
+def plain(name):
+    """A function's name without the number of a compiler's clone, which .su files leave out."""
+    return re.sub(r"\.\d+", "", name)
+
+
+def read_frames(folders):
+    """{name or (source, name): (bytes, kind)} from all .su files below `folders`; of equal names the largest."""
+    frames = {}
+    for folder in folders:
+        files = [os.path.join(at, name) for at, _, names in os.walk(folder) for name in names if name.endswith(".su")]
+        if not files:
+            raise ValueError(f"{folder} holds no .su files; expected the objects of a build with -fstack-usage")
+        for file in files:
+            with open(file, encoding="utf-8") as lines:
+                for line in lines:
+                    place, size, kind = line.rstrip("\n").split("\t")
+                    source, _, _, name = place.rsplit(":", 3)
+                    for key in (plain(name), (os.path.basename(source), plain(name))):
+                        frames[key] = max(frames.get(key, (0, "")), (int(size), kind))
+    return frames
+
+
+class Unbounded(Exception):
+    """Why a stack has no bound."""
+
+
+class StackUsage:
+    """Worst stacks of an image's functions; each is looked at once."""
+
+    def __init__(self, objdump, folders, image):
+        self.code = Code(objdump, image)
+        self.base = self.code.instruction_set.return_address
+        self.addresses = {name: address for address, symbols in self.code.symbols.items() for _, name in symbols}
+        self.frames = self.frames_by_address(read_frames(folders))
+        self.worst = {}  # address -> (bytes, names along the worst path)
+
+    def frames_by_address(self, frames):
+        """{address: (bytes, kind)} of the functions that have the compiler's word."""
+        known = {}
+        for address, symbols in self.code.symbols.items():
+            for source, name in symbols:
+                frame = frames.get((source, plain(name)) if source else plain(name))
+                if frame:
+                    known[address] = frame
+        return known
+
+    def of(self, function):
+        """(bytes, names along the worst path) of a function by its name; raises Unbounded."""
+        if function not in self.addresses:
+            raise ValueError(f"the image has no function {function}")
+        return self.from_address(self.addresses[function], ())
+
+    def from_address(self, entry, callers):
+        if entry in callers:
+            raise Unbounded(f"{self.code.name(entry)} calls itself, directly or through others")
+        if entry not in self.worst:
+            frame, callees = self.walk(entry)
+            worst = frame, [self.code.name(entry)]
+            for callee, below in callees.items():
+                size, path = self.from_address(callee, callers + (entry,))
+                worst = max(worst, (below + size, worst[1][:1] + path), key=lambda found: found[0])
+            self.worst[entry] = worst
+        return self.worst[entry]
+
+    def walk(self, entry):
+        """The own frame of the code that begins at `entry`, and {callee: bytes on the stack below it}.
+
+        A function with the compiler's word is one symbol; assembly may run or jump from one symbol into another."""
+        start = self.code.start(entry)
+        compiled, kind = self.frames.get(start, (None, None))
+        if kind == "dynamic":
+            raise Unbounded(f"{self.code.name(entry)} has a frame of variable size")
+        frame, callees = compiled or 0, {}
+        depths, ways = {}, [(entry, self.base)]
+        while ways:
+            address, depth = ways.pop()
+            if address is None or depths.get(address, -1) >= depth or address not in self.code.instructions:
+                continue
+            own = self.code.start(address) == start if compiled is not None else self.code.start(address) not in self.frames
+            if not own:  # a tail call, where nothing of the own frame is left
+                below = 0 if depth == self.base else max(depth, compiled or 0)
+                callees[address] = max(callees.get(address, 0), below)
+                continue
+            depths[address] = depth
+            instruction = self.code.instructions[address]
+            depth = self.pushed(address, depth, instruction, compiled)
+            frame = max(frame, depth)
+            if instruction.kind == CALL:
+                callees[instruction.target] = max(callees.get(instruction.target, 0), depth, compiled or 0)
+            if instruction.kind in (TABLE_JUMP, JUMP_BY_POINTER):  # by a switch's table, to any place of the function
+                ways += [(place, depth) for place in self.code.symbol_of(address) if place not in depths]
+            ways += [(following, depth) for following in self.following(instruction)]
+        return frame, callees
+
+    def pushed(self, address, depth, instruction, compiled):
+        """The depth behind an instruction; raises Unbounded where that cannot be told."""
+        name = self.code.name(address)
+        if instruction.pushed is None and compiled is None:
+            raise Unbounded(f"{name} moves the stack pointer by a computed amount")
+        by_pointer = instruction.kind == JUMP_BY_POINTER and depth == self.base and not TABLE_HELPER.match(name)
+        if instruction.kind == CALL_BY_POINTER or by_pointer:
+            raise Unbounded(f"{name} calls through a pointer")
+        depth += instruction.pushed or 0
+        if depth > ENDLESS:
+            raise Unbounded(f"{name} pushes in a loop")
+        return depth
+
+    def following(self, instruction):
+        """Where the processor goes from here, as far as the instruction says so."""
+        kind = instruction.kind
+        if kind in (RETURN, TABLE_JUMP, JUMP_BY_POINTER):
+            return []
+        if kind == JUMP:
+            return [instruction.target]
+        if kind == BRANCH:
+            return [instruction.next, instruction.target]
+        if kind == SKIP and instruction.next is not None:
+            return [instruction.next, self.code.instructions[instruction.next].next]
+        return [instruction.next]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--objdump", required=True, help="of the image's toolchain, e.g. avr-objdump")
+    parser.add_argument("--frames", action="append", required=True, help="folder with .su files of the image's objects")
+    parser.add_argument("image", help="the linked image, an ELF file")
+    parser.add_argument("function", nargs="+")
+    options = parser.parse_args()
+    failed = False
+    try:
+        usage = StackUsage(options.objdump, options.frames, options.image)
+        for function in options.function:
+            try:
+                size, path = usage.of(function)
+                print(f"{function} {size}: {' > '.join(path)}")
+            except Unbounded as reason:
+                print(f"{function} unknown: {reason}")
+                failed = True
+    except (OSError, ValueError) as error:
+        sys.exit(f"stack_usage: {error}")
+    return failed
+
+
+if __name__ == "__main__":
+    sys.exit(main())
