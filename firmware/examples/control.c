@@ -1,8 +1,8 @@
 /* control.c: the whole of twiddle on one chip. The learner proposes parameters, the controller moves a hand for a trial, the
  * learner learns from the reward; at the two rates of a real hand. `make firmware` measures this image.
  *
- * In the place of motors and sensors stands the simplest hand there is: joints of no mass in a thick fluid, whose
- * speed is proportional to the torque. Its reward is the way that the index finger's flexion covers. */
+ * In the place of motors and sensors stands the simplest hand there is: joints of no mass in a thick fluid, which move
+ * as far as they are pushed, and sensors that know angles only. The reward is the way that the index finger's flexion covers. */
 #include "board.h"
 #include "icub_setup.h"
 
@@ -10,38 +10,35 @@
 
 enum { TRIALS = 3, TICKS = 300, SUBSTEPS = 5, JOINTS = TWD_ICUB_JOINTS };
 
-struct hand {
-    twd_num angle_rad[JOINTS];
-    twd_num velocity_rad_s[JOINTS];
-};
-
 /* Large, so not on the stack. */
 static struct twd_agent agent;
 static struct twd_controller controller;
 
 /* Let `torque_nm` act for one substep of 2 ms. Returns how far the index flexed or stretched, rad. */
-static twd_num move(struct hand *hand, const twd_num *torque_nm)
+static twd_num move(twd_num *angle_rad, const twd_num *torque_nm)
 {
+    twd_num way_rad = TWD_NUM(0);
     for (size_t j = 0; j < JOINTS; j++) {
-        hand->velocity_rad_s[j] = twd_mul(torque_nm[j], TWD_NUM(50)); /* rad/s for 1 N m */
-        hand->angle_rad[j] += twd_mul(hand->velocity_rad_s[j], TWD_NUM(0.002));
+        const twd_num step_rad = twd_mul(torque_nm[j], TWD_NUM(0.1)); /* in the fluid, 0.1 rad a substep for 1 N m */
+        angle_rad[j] += step_rad;
+        if (j == TWD_ICUB_FEI) way_rad = step_rad;
     }
-    const twd_num way = twd_mul(hand->velocity_rad_s[TWD_ICUB_FEI], TWD_NUM(0.002));
-    return way < TWD_NUM(0) ? -way : way;
+    return way_rad < TWD_NUM(0) ? -way_rad : way_rad;
 }
 
 /* Run the controller through one trial of 3 s, from the straight hand. Returns the reward. */
-static twd_num run_trial(void)
+static twd_wide run_trial(void)
 {
-    struct hand hand = {{TWD_NUM(0)}, {TWD_NUM(0)}};
-    twd_num reward = TWD_NUM(0);
+    static const twd_rate unmeasured[JOINTS] = {TWD_RATE(0)};
+    twd_num angle_rad[JOINTS] = {TWD_NUM(0)};
+    twd_wide reward = TWD_WIDE(0);
     for (int tick = 0; tick < TICKS; tick++) {
         twd_num desired_rad[JOINTS];
         twd_controller_tick(&controller, desired_rad);
         for (int substep = 0; substep < SUBSTEPS; substep++) {
             twd_num torque_nm[JOINTS];
-            twd_controller_torque(&controller, desired_rad, hand.angle_rad, hand.velocity_rad_s, torque_nm);
-            reward += move(&hand, torque_nm);
+            twd_controller_torque(&controller, desired_rad, angle_rad, unmeasured, torque_nm);
+            reward = twd_wide_add(reward, twd_wide_of_num(move(angle_rad, torque_nm)));
         }
     }
     return reward;

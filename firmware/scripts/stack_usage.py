@@ -63,7 +63,8 @@ class StackUsage:
         known = {}
         for address, symbols in self.code.symbols.items():
             for source, name in symbols:
-                frame = frames.get((source, plain(name)) if source else plain(name))
+                # A source that another one includes has its own name in the .su file, but not in the symbols.
+                frame = (source and frames.get((source, plain(name)))) or frames.get(plain(name))
                 if frame:
                     known[address] = frame
         return known
@@ -111,10 +112,15 @@ class StackUsage:
             frame = max(frame, depth)
             if instruction.kind == CALL:
                 callees[instruction.target] = max(callees.get(instruction.target, 0), depth, compiled or 0)
-            if instruction.kind in (TABLE_JUMP, JUMP_BY_POINTER):  # by a switch's table, to any place of the function
+            if self.jumps_by_table(instruction):  # to any place of the function
                 ways += [(place, depth) for place in self.code.symbol_of(address) if place not in depths]
             ways += [(following, depth) for following in self.following(instruction)]
         return frame, callees
+
+    def jumps_by_table(self, instruction):
+        """Whether it is a switch's jump; what jumps through a pointer otherwise is refused before."""
+        to_helper = instruction.kind == JUMP and TABLE_HELPER.match(self.code.name(instruction.target))
+        return instruction.kind in (TABLE_JUMP, JUMP_BY_POINTER) or to_helper
 
     def pushed(self, address, depth, instruction, compiled):
         """The depth behind an instruction; raises Unbounded where that cannot be told."""
