@@ -25,17 +25,23 @@ static void take_number(uint32_t *sum, int32_t number)
     take_word(sum, (uint32_t)number);
 }
 
+/* Cores keep factors in different ways: of the same word, but for its sign. */
+static void take_factor(uint32_t *sum, twd_factor factor)
+{
+    const int32_t word = twd_factor_word(factor);
+    take_number(sum, word < 0 ? -word : word);
+}
+
 static void take_filter_step(uint32_t *sum, const struct twd_filter_step *step)
 {
-    take_word(sum, step->decrease);
-    take_word(sum, step->mixing);
-    take_word(sum, step->shift);
+    take_factor(sum, step->mixing);
+    take_factor(sum, step->decrease);
 }
 
 static void take_filter(uint32_t *sum, const struct twd_filter *filter)
 {
-    take_number(sum, filter->error);
-    take_number(sum, filter->error_and_velocity);
+    take_number(sum, filter->value);
+    take_number(sum, filter->lead);
 }
 
 static void take_cpg(uint32_t *sum, const struct twd_cpg *cpg)
@@ -44,16 +50,18 @@ static void take_cpg(uint32_t *sum, const struct twd_cpg *cpg)
     take_filter_step(sum, &cpg->centre_step);
     take_number(sum, cpg->turn_gain);
     take_word(sum, cpg->intrinsic_advance);
-    checksum_words(sum, cpg->drive.phase_lag, cpg->topology->couplings);
-    for (uint8_t i = 0; i < cpg->topology->oscillators; i++) {
+    for (uint8_t k = 0; k < cpg->couplings; k++)
+        take_word(sum, cpg->coupling[k].lag_and_quarter);
+    for (uint8_t i = 0; i < cpg->oscillators; i++) {
         const struct twd_oscillator *const oscillator = &cpg->oscillator[i];
         take_word(sum, oscillator->phase);
         take_filter(sum, &oscillator->amplitude);
         take_filter(sum, &oscillator->centre);
-        take_number(sum, cpg->drive.amplitude[i]);
-        take_number(sum, cpg->drive.centre[i]);
-        take_number(sum, cpg->last_pull[i]);
-        take_number(sum, cpg->output[i]);
+        take_number(sum, oscillator->amplitude_target);
+        take_number(sum, oscillator->centre_target);
+        take_number(sum, oscillator->pull);
+        take_number(sum, oscillator->last_pull);
+        take_number(sum, oscillator->output);
     }
 }
 
@@ -83,8 +91,7 @@ static void take_finger(uint32_t *sum, const struct twd_finger *finger)
 void checksum_controller(uint32_t *sum, const struct twd_controller *controller)
 {
     const struct twd_controller_config *const config = &controller->config;
-    for (uint8_t k = 0; k < config->model->cpgs; k++)
-        take_cpg(sum, &controller->cpg[k]);
+    take_cpg(sum, &controller->cpg);
     checksum_numbers(sum, controller->weight, config->model->cpgs);
     for (uint8_t j = 0; j < config->joints; j++)
         take_joint(sum, &config->joint[j]);

@@ -83,15 +83,17 @@ static struct twd_controller_config draw_config(bool with_centre, double tick_s)
     return config;
 }
 
-/* The oscillators' outputs, and their phases in turns. */
-static void write_oscillators(const struct twd_controller *controller, bool phases)
+static void write_oscillator_outputs(const struct twd_cpg *cpg)
 {
-    for (size_t k = 0; k < controller->config.model->cpgs; k++) {
-        const struct twd_cpg *const cpg = &controller->cpg[k];
-        for (uint8_t i = 0; i < cpg->topology->oscillators; i++)
-            write_double(phases ? (double)cpg->oscillator[i].phase / 4294967296.0
-                                : twd_num_to_double(twd_cpg_output(cpg, i)));
-    }
+    for (uint8_t i = 0; i < ACCURACY_OSCILLATORS; i++)
+        write_double(twd_num_to_double(twd_cpg_output(cpg, i)));
+}
+
+/* In turns. */
+static void write_phases(const struct twd_cpg *cpg)
+{
+    for (size_t i = 0; i < ACCURACY_OSCILLATORS; i++)
+        write_double((double)cpg->oscillator[i].phase / 4294967296.0);
 }
 
 /* The desired angles, of the joints' ranges. */
@@ -134,10 +136,10 @@ static void record_trials(bool with_centre, double tick_s)
         for (int tick = 0; tick < ACCURACY_TICKS; tick++) {
             twd_num desired_rad[ACCURACY_JOINTS];
             twd_controller_tick(&controller, desired_rad);
-            write_oscillators(&controller, false);
+            write_oscillator_outputs(&controller.cpg);
             write_joint_outputs(desired_rad);
             write_torques(&controller, desired_rad);
-            write_oscillators(&controller, true);
+            write_phases(&controller.cpg);
         }
     }
 }

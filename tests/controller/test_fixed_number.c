@@ -1,68 +1,8 @@
-/* The fixed build's words, for all edges and a million random pairs of all sizes, against 64-bit arithmetic that divides where the
- * library shifts. A product of two words is exact in 64 bits; INT32_MIN, which is no number, counts among the edges, since a
- * saturated result of it must be a number again. */
-#include "controller_test.h"
+/* The fixed build's words: every operation of two of them, and how cores with and without a long multiplication make the products,
+ * for all edges and a million random pairs (fixed_words.h). */
+#include "fixed_words.h"
 
-#include <float.h>
-#include <inttypes.h>
 #include <stdlib.h>
-
-#include <twiddle/convert.h>
-
-enum { RANDOM_PAIRS = 1000000 };
-
-static const int32_t sizes[] = {0,          1,          2,          3,          0x7FFF,     0x8000,     0x8001,
-                                0xFFFF,     0x10000,    0x10001,    0x100000,   0xFFFFFF,   0x1000000,  0xFFFFFFF,
-                                0x10000000, 0x10000001, 0x40000000, 0x5A5A5A5A, 0x7FFF0001, 0x7FFFFFFE, INT32_MAX};
-enum { SIZES = sizeof sizes / sizeof sizes[0], EDGES = 2 * SIZES + 1 };
-
-/* The edges are the sizes above with both signs, and INT32_MIN. */
-static int32_t edge(size_t index)
-{
-    if (index == 2 * SIZES) return INT32_MIN;
-    return index < SIZES ? sizes[index] : -sizes[index - SIZES];
-}
-
-/* A word of any size: 32 random bits, shifted right by 0 to 31. */
-static int32_t random_word(uint64_t *random)
-{
-    *random = *random * 6364136223846793005U + 1442695040888963407U;
-    const int64_t word = (int64_t)(*random >> 32) - ((int64_t)1 << 31);
-    return (int32_t)(word / ((int64_t)1 << (*random >> 8 & 31U)));
-}
-
-/* Hand all pairs of edges, and random pairs, to `check`. */
-static void for_all_pairs(void (*check)(int32_t a, int32_t b))
-{
-    uint64_t random = 20110824U;
-    for (size_t i = 0; i < EDGES; i++)
-        for (size_t k = 0; k < EDGES; k++)
-            check(edge(i), edge(k));
-    for (int pair = 0; pair < RANDOM_PAIRS; pair++) {
-        const int32_t a = random_word(&random);
-        check(a, random_word(&random));
-    }
-}
-
-static void assert_word(const char *operation, int32_t a, int32_t b, int64_t actual, int64_t expected)
-{
-    if (actual != expected)
-        fail_msg("%s of %" PRId32 " and %" PRId32 ": got %" PRId64 ", expected %" PRId64, operation, a, b, actual,
-                 expected);
-}
-
-/* The largest whole number that is at most numerator / divisor; divisor > 0. */
-static int64_t floor_quotient(int64_t numerator, int64_t divisor)
-{
-    const int64_t truncated = numerator / divisor;
-    return numerator % divisor < 0 ? truncated - 1 : truncated;
-}
-
-static int64_t limited(int64_t value)
-{
-    if (value > INT32_MAX) return INT32_MAX;
-    return value < -(int64_t)INT32_MAX ? -(int64_t)INT32_MAX : value;
-}
 
 /* The operations on two words. */
 typedef int32_t word_operation(int32_t a, int32_t b);
@@ -103,7 +43,7 @@ static void products_are_rounded_and_saturated(void **state)
 static void check_quick_products(int32_t a, int32_t b)
 {
     const int64_t product = (int64_t)a * b;
-    const int64_t rounded = floor_quotient(product + (1 << 27), 1 << 28);
+    const int64_t rounded = floor_quotient(product + (INT32_C(1) << 27), INT32_C(1) << 28);
     if (rounded == limited(rounded)) {
         assert_word("twd_mul", a, b, twd_mul(a, b), rounded);
         assert_word("twd_mul_short", a, b, twd_mul_short(a, b), floor_quotient(product, (int64_t)1 << 32) * 16);
@@ -149,7 +89,7 @@ static void quotients_are_rounded_and_saturated(void **state)
 {
     (void)state;
     for_all_pairs(check_quotients);
-    assert_int_equal(twd_div(1, 0), 1 << 28);
+    assert_int_equal(twd_div(1, 0), TWD_NUM(1));
     assert_int_equal(twd_div(TWD_NUM(-1), 0), -INT32_MAX);
     assert_int_equal(twd_div(0, 0), 0);
 }
@@ -204,6 +144,7 @@ static void check_pieces(int32_t a, int32_t b)
     const int64_t high = floor_quotient(product, (int64_t)1 << 32);
     assert_word("twd_high_word", a, b, twd_high_word(a, b), high);
     assert_word("twd_high_word_of_pieces", a, b, twd_high_word_of_pieces(a, b), high);
+    assert_word("twd_add_high_word", a, b, twd_add_high_word(-7, a, b), high - 7);
     assert_word("twd_product", a, b, twd_product(a, b), product);
     assert_word("twd_product_of_pieces", a, b, twd_product_of_pieces(a, b), product);
 
@@ -214,7 +155,7 @@ static void check_pieces(int32_t a, int32_t b)
     for (unsigned shift = 0; shift <= 2; shift++) {
         const uint32_t factor = (uint32_t)b & (shift == 0 ? 0x7FFFU : 0xFFFFU);
         const int64_t scaled = floor_quotient((int64_t)a * (int64_t)factor, (int64_t)1 << (16 + shift));
-        assert_word("twd_scaled", a, (int32_t)factor, twd_scaled(a, factor, shift), scaled);
+        assert_word("twd_add_scaled", a, (int32_t)factor, twd_add_scaled(-7, a, factor, shift), scaled - 7);
         assert_word("twd_scaled_by_pieces", a, (int32_t)factor, twd_scaled_by_pieces(a, factor, shift), scaled);
     }
 }
@@ -225,85 +166,54 @@ static void products_of_pieces_are_exact(void **state)
     for_all_pairs(check_pieces);
 }
 
+/* A factor from [0, 1/2) keeps 16 bits behind its leading zeros, or all down to 2^-32, rounded to nearest; where that would carry into
+ * a 17th bit, all are ones. */
+static void check_factor(int32_t word, int32_t unused)
+{
+    (void)unused;
+    if (word < 0 || word >= TWD_NUM(0.5)) return;
+    const int64_t exact = (int64_t)word * 16; /* in units of 2^-32, as the factor's word */
+    int64_t unit = (int64_t)1 << 15;
+    while (unit > 1 && exact < unit << 15)
+        unit /= 2;
+    const int64_t nearest = floor_quotient(exact + unit / 2, unit) * unit;
+    const int64_t largest = INT64_C(0xFFFF) * unit;
+    const int64_t expected = nearest > largest ? largest : nearest;
+    assert_word("twd_factor_of_num", word, 0, twd_factor_word(twd_factor_of_num(word)), expected);
+    assert_word("twd_factor_to_subtract", word, 0, labs((long)twd_factor_word(twd_factor_to_subtract(word))), expected);
+}
+
+/* Products with a factor are exact, and rounded down. INT32_MIN is never multiplied by one. */
+static void check_products_with_factors(int32_t a, int32_t b)
+{
+    const int32_t value = b & (TWD_NUM(0.5) - 1);
+    if (a == INT32_MIN) return;
+    const int64_t product = (int64_t)a * twd_factor_word(twd_factor_of_num(value));
+    const int64_t added = floor_quotient(product, (int64_t)1 << 32) - 7;
+    const int64_t subtracted = floor_quotient(-product, (int64_t)1 << 32) - 7;
+    assert_word("twd_add_mul_factor", a, value, twd_add_mul_factor(-7, a, twd_factor_of_num(value)), added);
+    assert_word("twd_subtract_mul_factor", a, value, twd_subtract_mul_factor(-7, a, twd_factor_to_subtract(value)),
+                subtracted);
+}
+
+static void factors_keep_16_bits(void **state)
+{
+    (void)state;
+    for_all_pairs(check_factor);
+    for_all_pairs(check_products_with_factors);
+}
+
 /* The operations shift negative words to the right and convert words beyond INT32_MAX to int32_t; C leaves both to the compiler, and
  * this is what they rely on. */
 static void the_compiler_keeps_the_sign(void **state)
 {
     volatile int32_t negative = -5;
     volatile int64_t long_negative = -5;
-    volatile uint32_t large = 0xFFFFFFFBU;
+    volatile uint32_t large = UINT32_C(0xFFFFFFFB);
     (void)state;
     assert_int_equal(negative >> 1, -3);
     assert_true(long_negative >> 1 == -3);
     assert_int_equal((int32_t)large, -5);
-}
-
-/* The four formats' conversions. */
-static const struct {
-    int32_t (*from_double)(double value);
-    double (*to_double)(int32_t word);
-    double one;
-} conversions[] = {
-    {twd_num_from_double, twd_num_to_double, 268435456.0},
-    {twd_wide_from_double, twd_wide_to_double, 16777216.0},
-    {twd_rate_from_double, twd_rate_to_double, 1048576.0},
-    {twd_small_from_double, twd_small_to_double, 17179869184.0},
-};
-enum { CONVERSIONS = sizeof conversions / sizeof conversions[0] };
-
-/* A word comes back from double as it was; what lies between two words goes to the nearer one, a half away from 0. */
-static void check_conversions(int32_t word, int32_t unused)
-{
-    (void)unused;
-    const int32_t beyond = word < 0 ? -1 : 1;
-    if (limited(word) != word || limited((int64_t)word + beyond) != (int64_t)word + beyond) return;
-    for (size_t i = 0; i < CONVERSIONS; i++) {
-        const double quarter = 0.25 * beyond / conversions[i].one;
-        const double value = conversions[i].to_double(word);
-        assert_true(value == (double)word / conversions[i].one);
-        assert_word("from double", word, 0, conversions[i].from_double(value), word);
-        assert_word("from double, a quarter on", word, 0, conversions[i].from_double(value + quarter), word);
-        assert_word("from double, a half on", word, 0, conversions[i].from_double(value + 2 * quarter), word + beyond);
-        assert_word("from double, three quarters on", word, 0, conversions[i].from_double(value + 3 * quarter),
-                    word + beyond);
-    }
-}
-
-static void conversions_round_to_nearest(void **state)
-{
-    (void)state;
-    for_all_pairs(check_conversions);
-}
-
-/* Beyond the range a value becomes the last number; what is not finite becomes INT32_MIN. */
-static void conversions_stay_in_range(void **state)
-{
-    static const double beyond[] = {1.0, 1.25, 1e3, 1e300, DBL_MAX};
-    (void)state;
-    for (size_t i = 0; i < CONVERSIONS; i++) {
-        const double end = 2147483648.0 / conversions[i].one;
-        for (size_t k = 0; k < sizeof beyond / sizeof beyond[0]; k++) {
-            const double size = beyond[k] < 1e300 ? end * beyond[k] : beyond[k];
-            assert_int_equal(conversions[i].from_double(size), INT32_MAX);
-            assert_int_equal(conversions[i].from_double(-size), -INT32_MAX);
-        }
-        assert_int_equal(conversions[i].from_double((double)INFINITY), INT32_MIN);
-        assert_int_equal(conversions[i].from_double(-(double)INFINITY), INT32_MIN);
-        assert_int_equal(conversions[i].from_double((double)NAN), INT32_MIN);
-        assert_int_equal(conversions[i].from_double(DBL_MIN), 0);
-    }
-}
-
-/* Constants are rounded to nearest. Expected, by hand: 0.1 2^28 = 26843545.6, 1.3 2^24 = 21810380.8, 0.7 2^20 = 734003.2,
- * 0.01 2^34 = 171798691.84. */
-static void constants_are_rounded_to_nearest(void **state)
-{
-    (void)state;
-    assert_int_equal(TWD_NUM(0.1), 26843546);
-    assert_int_equal(TWD_NUM(-0.1), -26843546);
-    assert_int_equal(TWD_WIDE(-1.3), -21810381);
-    assert_int_equal(TWD_RATE(0.7), 734003);
-    assert_int_equal(TWD_SMALL(-0.01), -171798692);
 }
 
 int main(void)
@@ -315,10 +225,8 @@ int main(void)
         cmocka_unit_test(sums_are_saturated),
         cmocka_unit_test(formats_are_converted),
         cmocka_unit_test(products_of_pieces_are_exact),
+        cmocka_unit_test(factors_keep_16_bits),
         cmocka_unit_test(the_compiler_keeps_the_sign),
-        cmocka_unit_test(conversions_round_to_nearest),
-        cmocka_unit_test(conversions_stay_in_range),
-        cmocka_unit_test(constants_are_rounded_to_nearest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -174,7 +174,7 @@ typedef struct {
 typedef int32_t twd_factor;
 #endif
 
-/* The factor nearest to `value`, in [0, 1/2). */
+/* The factor nearest to `value`, in [0, 1/2), with as many leading zeros. */
 static inline twd_factor twd_factor_of_num(twd_num value)
 {
     uint32_t word = (uint32_t)(int32_t)value;
