@@ -85,8 +85,8 @@ static struct twd_controller_config draw_config(bool with_centre, double tick_s)
 
 static void write_oscillator_outputs(const struct twd_cpg *cpg)
 {
-    for (uint8_t i = 0; i < ACCURACY_OSCILLATORS; i++)
-        write_double(twd_num_to_double(twd_cpg_output(cpg, i)));
+    for (int i = 0; i < ACCURACY_OSCILLATORS; i++)
+        write_double(twd_num_to_double(twd_cpg_output(cpg, (uint8_t)i)));
 }
 
 /* In turns. */

@@ -2,8 +2,6 @@
  * for all edges and a million random pairs (fixed_words.h). */
 #include "fixed_words.h"
 
-#include <stdlib.h>
-
 /* The operations on two words. */
 typedef int32_t word_operation(int32_t a, int32_t b);
 
@@ -57,6 +55,11 @@ static void quick_products_are_exact_inside_the_range(void **state)
     for_all_pairs(check_quick_products);
 }
 
+static int64_t magnitude(int64_t value)
+{
+    return value < 0 ? -value : value;
+}
+
 /* Quotients, with what the numerator is multiplied by. */
 static const struct {
     const char *name;
@@ -78,7 +81,7 @@ static void check_quotients(int32_t a, int32_t b)
         const int64_t numerator = (int64_t)a * ((int64_t)1 << quotients[i].bits);
         const int64_t divisor = b == 0 ? 1 : b;
         const int64_t truncated = numerator / divisor;
-        const bool away = 2 * llabs(numerator % divisor) >= llabs(divisor);
+        const bool away = 2 * magnitude(numerator % divisor) >= magnitude(divisor);
         const int64_t step = (numerator < 0) == (divisor < 0) ? 1 : -1;
         const int64_t expected = limited(away ? truncated + step : truncated);
         assert_word(quotients[i].name, a, b, quotients[i].operation(a, b), expected);
@@ -180,7 +183,7 @@ static void check_factor(int32_t word, int32_t unused)
     const int64_t largest = INT64_C(0xFFFF) * unit;
     const int64_t expected = nearest > largest ? largest : nearest;
     assert_word("twd_factor_of_num", word, 0, twd_factor_word(twd_factor_of_num(word)), expected);
-    assert_word("twd_factor_to_subtract", word, 0, labs((long)twd_factor_word(twd_factor_to_subtract(word))), expected);
+    assert_word("twd_factor_to_subtract", word, 0, magnitude(twd_factor_word(twd_factor_to_subtract(word))), expected);
 }
 
 /* Products with a factor are exact, and rounded down. INT32_MIN is never multiplied by one. */
