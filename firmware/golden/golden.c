@@ -63,7 +63,7 @@ static void set_joints(void)
 }
 
 /* Every set has another mixture of the settings, and filters that are a little faster than the last one's. */
-static void configure(uint8_t set)
+static void configure(int set)
 {
     static const struct twd_model *const models[] = {&twd_model_h, &twd_model_h, &twd_model_h, &twd_model_c,
                                                      &twd_model_h, &twd_model_m, &twd_model_h, &twd_model_s};
@@ -88,7 +88,7 @@ static void configure(uint8_t set)
 }
 
 /* Start with parameters in [0, 1), or all at an end of it. */
-static void start(uint8_t set)
+static void start(int set)
 {
     const size_t count = twd_model_parameters(config.model, config.oscillators.with_centre);
     twd_num parameter[PARAMETERS];
@@ -115,7 +115,7 @@ static uint32_t ticks(void)
     uint32_t sum = CHECKSUM_START;
     twd_random_seed(&random_state, 20110824U);
     set_joints();
-    for (uint8_t set = 0; set < SETS; set++) {
+    for (int set = 0; set < SETS; set++) {
         configure(set);
         require(twd_controller_init(&controller, &config));
         start(set);
