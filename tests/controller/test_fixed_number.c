@@ -155,12 +155,14 @@ static void check_pieces(int32_t a, int32_t b)
     assert_word("twd_high_word_of_square", a, a, twd_high_word_of_square(a), square);
     assert_word("twd_high_word_of_square_of_pieces", a, a, twd_high_word_of_square_of_pieces(a), square);
 
-    for (unsigned shift = 0; shift <= 2; shift++) {
-        const uint32_t factor = (uint32_t)b & (shift == 0 ? 0x7FFFU : 0xFFFFU);
+    const uint32_t factor = (uint32_t)b % UINT32_C(0x10001);
+    for (unsigned shift = 0; shift <= 16; shift++) {
         const int64_t scaled = floor_quotient((int64_t)a * (int64_t)factor, (int64_t)1 << (16 + shift));
-        assert_word("twd_add_scaled", a, (int32_t)factor, twd_add_scaled(-7, a, factor, shift), scaled - 7);
         assert_word("twd_scaled_by_pieces", a, (int32_t)factor, twd_scaled_by_pieces(a, factor, shift), scaled);
     }
+    const uint32_t short_word = factor << 14;
+    const int64_t added = floor_quotient((int64_t)a * (int64_t)short_word, (int64_t)1 << 32) - 7;
+    assert_word("twd_add_mul_short", a, (int32_t)short_word, twd_add_mul_short(-7, a, short_word), added);
 }
 
 static void products_of_pieces_are_exact(void **state)

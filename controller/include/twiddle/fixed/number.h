@@ -144,7 +144,7 @@ static inline int32_t twd_high_word_of_square(int32_t a)
 #endif
 }
 
-/* floor(a factor / 2^(16 + shift)), for a factor below 2^(15 + shift) and of 16 bits, and a shift of 0 to 2: cheaper than
+/* floor(a factor / 2^(16 + shift)), for a factor of at most 2^16 and a shift of 0 to 16: cheaper than
  * twd_high_word on cores that multiply by pieces, and as cheap on the others. */
 static inline int32_t twd_scaled_by_pieces(int32_t a, uint32_t factor, unsigned shift)
 {
@@ -153,13 +153,13 @@ static inline int32_t twd_scaled_by_pieces(int32_t a, uint32_t factor, unsigned 
     return (high * (int32_t)factor + (int32_t)((low * factor) >> 16)) >> shift;
 }
 
-/* sum + floor(a factor / 2^(16 + shift)) */
-static inline int32_t twd_add_scaled(int32_t sum, int32_t a, uint32_t factor, unsigned shift)
+/* sum + floor(a short_word / 2^32), for a word from 0 to 2^30 whose lowest 14 bits are 0. */
+static inline int32_t twd_add_mul_short(int32_t sum, int32_t a, uint32_t short_word)
 {
 #if defined(TWD_MULTIPLIES_BY_PIECES)
-    return sum + twd_scaled_by_pieces(a, factor, shift);
+    return sum + twd_scaled_by_pieces(a, short_word >> 14, 2);
 #else
-    return twd_add_high_word(sum, a, (int32_t)(factor << (16U - shift)));
+    return twd_add_high_word(sum, a, (int32_t)short_word);
 #endif
 }
 
