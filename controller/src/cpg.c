@@ -22,7 +22,8 @@ static inline struct twd_oscillator *at_offset(struct twd_cpg *cpg, uint16_t off
 
 static inline const struct twd_running_coupling *end_of_couplings(const struct twd_cpg *cpg)
 {
-    return (const void *)((const unsigned char *)cpg->coupling + cpg->couplings_end);
+    const void *const end = (const unsigned char *)cpg->coupling + cpg->couplings_end;
+    return (const struct twd_running_coupling *)end;
 }
 
 /* Append a network; what it holds has been checked. */

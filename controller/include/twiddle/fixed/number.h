@@ -24,8 +24,10 @@ typedef int32_t twd_small;
 #define TWD_RATE_BITS 20
 #define TWD_SMALL_BITS 34
 
-/* A constant of each type, rounded to nearest. A compiler whose double has 24 bits (avr-gcc) rounds it to these before. */
-#define TWD_FIXED_WORD(value, one) ((int32_t)((value) * (one) + ((value) < 0 ? -0.5 : 0.5)))
+/* A constant of each type, rounded to nearest. A compiler whose double has 24 bits (avr-gcc) rounds it to these before; a half
+ * added to such a number could round it once more, so what the truncation leaves over decides. */
+#define TWD_FIXED_WORD(value, one)                                                                                     \
+    ((int32_t)((value) * (one)) + (int32_t)(2.0 * ((value) * (one) - (double)(int32_t)((value) * (one)))))
 #define TWD_NUM(value) ((twd_num)TWD_FIXED_WORD(value, 268435456.0))
 #define TWD_WIDE(value) ((twd_wide)TWD_FIXED_WORD(value, 16777216.0))
 #define TWD_RATE(value) ((twd_rate)TWD_FIXED_WORD(value, 1048576.0))
@@ -172,7 +174,7 @@ typedef struct {
 typedef int32_t twd_factor;
 #endif
 
-/* The factor nearest to `value`, in [0, 1/2). */
+/* The factor nearest to `value`, in [0, 1/2), with as many leading zeros. */
 static inline twd_factor twd_factor_of_num(twd_num value)
 {
     uint32_t word = (uint32_t)(int32_t)value;
