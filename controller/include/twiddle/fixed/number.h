@@ -107,7 +107,7 @@ static inline int32_t twd_high_word_of_square(int32_t a)
 #endif
 }
 
-/* floor(a factor / 2^(16 + shift)), for a factor of at most 2^(15 + shift), so of 16 bits, and a shift of 0 to 2: cheaper than
+/* floor(a factor / 2^(16 + shift)), for a factor below 2^(15 + shift), so of 16 bits, and a shift of 0 to 2: cheaper than
  * twd_high_word on cores that multiply by pieces, and as cheap on the others. */
 static inline int32_t twd_scaled_by_pieces(int32_t a, uint32_t factor, unsigned shift)
 {
