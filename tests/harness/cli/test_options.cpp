@@ -48,22 +48,6 @@ TEST(Options, wrong_use_is_one_sentence_and_status_2)
     }
 }
 
-// What this version does not do yet is refused in one sentence that says what to use.
-TEST(Options, what_is_not_in_this_version_is_refused)
-{
-    const std::vector<std::pair<std::string, std::string>> cases = {{"--target microbit", "use --target host"},
-                                                                    {"--target mps2-an386", "use --target host"}};
-    for (const std::string command : {"train", "rollout"}) {
-        for (const auto &[option, expected] : cases) {
-            const Outcome outcome = run_twiddle(command + " --object small-sphere --model cpg-h " + option);
-            EXPECT_EQ(outcome.status, 2) << option;
-            EXPECT_TRUE(is_one_complaint(outcome.error)) << option << ": " << outcome.error;
-            EXPECT_NE(outcome.error.find(option + " is not in this version; " + expected), std::string::npos)
-                << outcome.error;
-        }
-    }
-}
-
 // A malformed set-up file is named with its line, and nothing is written.
 TEST(Options, malformed_set_up_file_is_named)
 {
