@@ -39,7 +39,8 @@ static double worst_of_a_second(double rate_per_s, double tick_s, double start, 
         twd_filter_advance(&filter, &step, target_num);
         const struct response expected = closed_form(rate_per_s, tick * tick_s, start, target);
         const double of_value = fabs(twd_num_to_double(filter.value) - expected.value);
-        const double of_velocity = fabs(twd_num_to_double(twd_filter_velocity(&filter, target_num)) - expected.velocity);
+        const double of_velocity =
+            fabs(twd_num_to_double(twd_filter_velocity(&filter, target_num)) - expected.velocity);
         worst = fmax(worst, fmax(of_value, of_velocity) / tolerance(rate_per_s * tick_s / 2.0, tick));
     }
     return worst;
@@ -99,7 +100,8 @@ static void ticks_add_up(void **state)
         const double both = tolerance(0.2, tick) + tolerance(0.1, 2 * tick);
         const double value = twd_num_to_double(halves.value);
         assert_num_close(whole.value, value, both);
-        assert_num_close(twd_filter_velocity(&whole, target), twd_num_to_double(twd_filter_velocity(&halves, target)), both);
+        assert_num_close(twd_filter_velocity(&whole, target), twd_num_to_double(twd_filter_velocity(&halves, target)),
+                         both);
     }
 }
 

@@ -32,6 +32,7 @@ TEST(Options, wrong_use_is_one_sentence_and_status_2)
         {train + "--set friction=1", "expected section.key=value"},
         {train + "--set contact.friction=slippery", "slippery"},
         {train + "--set contact.grip=1", "grip"},
+        {train + "--number half", "half' for --number; expected one of float, double, fixed"},
         {train + "--hand robot", "robot' for --hand; expected one of welded, full"},
         {train + "--faster", "--faster"},
         {train + "--models /nonexistent", "'/nonexistent' is no models folder"},
