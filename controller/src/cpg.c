@@ -4,6 +4,11 @@
 
 #include "checks.h"
 
+/* A coupling pulls by at most R = 0.5 rad/s, the extrapolation at most doubles the sum, and a rate must stay below 16 rad/s. */
+#if defined(TWD_NUMBER_FIXED) && TWD_MAX_COUPLINGS > 15
+#error "TWD_MAX_COUPLINGS is at most 15 in the fixed build"
+#endif
+
 enum twd_error twd_cpg_init(struct twd_cpg *cpg, const struct twd_topology *topology,
                             const struct twd_cpg_config *config)
 {

@@ -32,17 +32,33 @@ static void turn(twd_num sine, twd_num cosine, const twd_num v[3], twd_num out[3
     out[2] = v[2];
 }
 
+/* Whether the components are small enough for a product, and the length is 1. */
+static bool is_unit_vector(const twd_num v[3])
+{
+    for (int axis = 0; axis < 3; axis++)
+        if (!twd_within(v[axis], TWD_NUM(-1.001), TWD_NUM(1.001))) return false;
+    return twd_within(dot(v, v), TWD_NUM(0.999), TWD_NUM(1.001));
+}
+
+/* Whether the rows are unit vectors, each at right angles to the others: such a matrix makes no vector longer. */
+static bool is_rotation(const twd_num rotation[3][3])
+{
+    for (int row = 0; row < 3; row++)
+        if (!is_unit_vector(rotation[row])) return false;
+    for (int row = 0; row < 3; row++)
+        if (!twd_within(dot(rotation[row], rotation[(row + 1) % 3]), TWD_NUM(-0.001), TWD_NUM(0.001))) return false;
+    return true;
+}
+
 static enum twd_error check_chain(const struct twd_chain *chain)
 {
     for (uint8_t i = 0; i < chain->joints; i++) {
         const struct twd_chain_joint *const joint = &chain->joint[i];
         if (!(joint->mass_kg >= TWD_NUM(0)) || !twd_is_usable(joint->mass_kg)) return TWD_ERROR_RANGE;
-        for (int axis = 0; axis < 3; axis++) {
+        for (int axis = 0; axis < 3; axis++)
             if (!twd_is_usable(joint->origin_m[axis]) || !twd_is_usable(joint->centre_of_mass_m[axis]))
                 return TWD_ERROR_RANGE;
-            for (int column = 0; column < 3; column++)
-                if (!twd_within(joint->rotation[axis][column], TWD_NUM(-1.001), TWD_NUM(1.001))) return TWD_ERROR_RANGE;
-        }
+        if (!is_rotation(joint->rotation)) return TWD_ERROR_RANGE;
     }
     return TWD_OK;
 }
@@ -51,15 +67,21 @@ static enum twd_error check_gravity(const twd_num *held_angle_rad, uint8_t held,
                                     const twd_num direction[3])
 {
     const twd_num half_turn_rad = TWD_NUM_CONSTANT(3.14159265358979324, 843314857);
+    if (!direction || (!held_angle_rad && held > 0)) return TWD_ERROR_NULL;
     for (uint8_t i = 0; i < held; i++)
         if (!twd_within(held_angle_rad[i], -half_turn_rad, half_turn_rad)) return TWD_ERROR_RANGE;
 
     if (!(acceleration_m_s2 >= TWD_WIDE(0) && acceleration_m_s2 <= TWD_WIDE(20))) return TWD_ERROR_RANGE;
-    for (int axis = 0; axis < 3; axis++)
-        if (!twd_within(direction[axis], TWD_NUM(-1.001), TWD_NUM(1.001))) return TWD_ERROR_RANGE;
-    const twd_num norm = dot(direction, direction);
-    if (!twd_within(norm, TWD_NUM(0.999), TWD_NUM(1.001))) return TWD_ERROR_RANGE;
-    return TWD_OK;
+    return is_unit_vector(direction) ? TWD_OK : TWD_ERROR_RANGE;
+}
+
+/* The weight of all links; at the end of its range if it lies beyond. */
+static twd_num weight_of_chain(const struct twd_chain *chain, twd_wide acceleration_m_s2)
+{
+    twd_num weight_n = TWD_NUM(0);
+    for (uint8_t i = 0; i < chain->joints; i++)
+        weight_n = twd_add_saturated(weight_n, twd_num_mul_wide(chain->joint[i].mass_kg, acceleration_m_s2));
+    return weight_n;
 }
 
 /* The link on its own, as if nothing were beyond it. */
@@ -135,6 +157,7 @@ enum twd_error twd_gravity_init(struct twd_gravity *gravity, const struct twd_ch
     if (error == TWD_OK)
         error = check_gravity(held_angle_rad, (uint8_t)(chain->joints - moving), acceleration_m_s2, direction);
     if (error != TWD_OK) return error;
+    if (!twd_is_usable(weight_of_chain(chain, acceleration_m_s2))) return TWD_ERROR_RANGE;
 
     struct twd_gravity made;
     made.moving = moving;
@@ -146,7 +169,7 @@ enum twd_error twd_gravity_init(struct twd_gravity *gravity, const struct twd_ch
     twd_num weight_n = TWD_NUM(0);
     for (uint8_t i = chain->joints; i-- > 1;) {
         twd_num *const parent_moment_nm = made.joint[i - 1].moment_nm;
-        weight_n = twd_add_saturated(weight_n, twd_num_mul_wide(chain->joint[i].mass_kg, acceleration_m_s2));
+        weight_n += twd_num_mul_wide(chain->joint[i].mass_kg, acceleration_m_s2);
         for (int axis = 0; axis < 3; axis++)
             parent_moment_nm[axis] =
                 twd_add_saturated(parent_moment_nm[axis], twd_mul_saturated(weight_n, chain->joint[i].origin_m[axis]));

@@ -2,7 +2,8 @@
 
 #include <twiddle/gate.h>
 
-#define ROUNDING BY_NUMBER(1e-15, 1e-6)
+/* Fixed: half a step of 2^-28 for each number that goes in or comes out, three at most. */
+#define ROUNDING BY_NUMBER(1e-15, 1e-6, 1.5 * NUM_STEP)
 
 /* s_k = y_k / sum(y): 0.2, 0.3 and 0.5 of their sum 1, and 1, 2 and 5 of 8. */
 static void weights_are_shares_of_the_sum(void **state)
@@ -12,13 +13,13 @@ static void weights_are_shares_of_the_sum(void **state)
     const twd_num eighths[] = {TWD_NUM(0.125), TWD_NUM(0.25), TWD_NUM(0.625)};
     twd_num weight[3];
     twd_gate_normalise(fractions, 3, weight);
-    assert_close(weight[0], 0.2, ROUNDING);
-    assert_close(weight[1], 0.3, ROUNDING);
-    assert_close(weight[2], 0.5, ROUNDING);
+    assert_num_close(weight[0], 0.2, ROUNDING);
+    assert_num_close(weight[1], 0.3, ROUNDING);
+    assert_num_close(weight[2], 0.5, ROUNDING);
     twd_gate_normalise(eighths, 3, weight);
-    assert_close(weight[0], 1.0 / 8.0, ROUNDING);
-    assert_close(weight[1], 2.0 / 8.0, ROUNDING);
-    assert_close(weight[2], 5.0 / 8.0, ROUNDING);
+    assert_num_close(weight[0], 1.0 / 8.0, ROUNDING);
+    assert_num_close(weight[1], 2.0 / 8.0, ROUNDING);
+    assert_num_close(weight[2], 5.0 / 8.0, ROUNDING);
 }
 
 /* Activations that are all 0 have no shares; the weights are then equal. */
@@ -29,7 +30,7 @@ static void silent_selector_weighs_equally(void **state)
     twd_num weight[3];
     twd_gate_normalise(silent, 3, weight);
     for (int k = 0; k < 3; k++)
-        assert_close(weight[k], 1.0 / 3.0, ROUNDING);
+        assert_num_close(weight[k], 1.0 / 3.0, ROUNDING);
 }
 
 /* 1000 random selectors: the weights sum to 1 and keep the order of the activations. */
@@ -38,13 +39,13 @@ static void weights_sum_to_one(void **state)
     (void)state;
     uint64_t random = 5;
     print_message("seed 5\n");
-    for (int repeat = 0; repeat < 1000; repeat++) {
+    for (int32_t repeat = CASES(1000); repeat > 0; repeat--) {
         twd_num activation[3];
         twd_num weight[3];
         for (int k = 0; k < 3; k++)
-            activation[k] = (twd_num)uniform(&random, 0.001, 0.999);
+            activation[k] = twd_num_from_double(uniform(&random, 0.001, 0.999));
         twd_gate_normalise(activation, 3, weight);
-        assert_close(weight[0] + weight[1] + weight[2], 1.0, ROUNDING);
+        assert_num_close(weight[0] + weight[1] + weight[2], 1.0, ROUNDING);
         assert_true((activation[0] < activation[1]) == (weight[0] < weight[1]));
     }
 }
@@ -57,11 +58,11 @@ static void remap_spans_the_range(void **state)
     const twd_num lower = TWD_NUM(-0.2);
     const twd_num upper = TWD_NUM(0.6);
     assert_true(twd_gate_remap(TWD_NUM(0), lower, upper) == lower);
-    assert_close(twd_gate_remap(TWD_NUM(0.25), lower, upper), 0.0, ROUNDING);
-    assert_close(twd_gate_remap(TWD_NUM(1), lower, upper), 0.6, ROUNDING);
+    assert_num_close(twd_gate_remap(TWD_NUM(0.25), lower, upper), 0.0, ROUNDING);
+    assert_num_close(twd_gate_remap(TWD_NUM(1), lower, upper), 0.6, ROUNDING);
     assert_true(twd_gate_remap(TWD_NUM(-0.3), lower, upper) == lower);
     assert_true(twd_gate_remap(TWD_NUM(1.3), lower, upper) == twd_gate_remap(TWD_NUM(1), lower, upper));
-    assert_true(twd_gate_remap((twd_num)NAN, lower, upper) == lower);
+    assert_true(twd_gate_remap(twd_num_from_double((double)NAN), lower, upper) == lower);
 }
 
 /* 1000 random ranges: the angle of fraction 1 is not beyond the upper end by a rounding. */
@@ -70,9 +71,9 @@ static void remap_never_leaves_the_range(void **state)
     (void)state;
     uint64_t random = 6;
     print_message("seed 6\n");
-    for (int repeat = 0; repeat < 1000; repeat++) {
-        const twd_num lower = (twd_num)uniform(&random, -3.0, 0.0);
-        const twd_num upper = (twd_num)uniform(&random, 0.0, 3.0);
+    for (int32_t repeat = CASES(1000); repeat > 0; repeat--) {
+        const twd_num lower = twd_num_from_double(uniform(&random, -3.0, 0.0));
+        const twd_num upper = twd_num_from_double(uniform(&random, 0.0, 3.0));
         assert_true(twd_within(twd_gate_remap(TWD_NUM(1), lower, upper), lower, upper));
     }
 }

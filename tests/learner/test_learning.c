@@ -11,7 +11,7 @@ static double shortfall(const twd_num *parameter, const double *target, size_t u
 {
     double sum = 0.0;
     for (size_t j = 0; j < units; j++) {
-        const double distance = (double)parameter[j] - target[j];
+        const double distance = twd_num_to_double(parameter[j]) - target[j];
         sum += distance * distance;
     }
     return sum;
@@ -33,16 +33,16 @@ static void train(uint64_t seed, size_t units, double *before, double *after)
     double target[TWD_MAX_UNITS];
     twd_num input[TWD_INPUTS];
     twd_num parameter[TWD_MAX_UNITS];
-    struct twd_agent agent;
+    static struct twd_agent agent; /* 3 KiB */
     for (size_t j = 0; j < units; j++)
         target[j] = j % 2 == 0 ? 0.2 : 0.8;
-    twd_input_map(TWD_SHAPE_SPHERE, TWD_NUM(0.028), TWD_NUM(10), input);
+    twd_input_map(TWD_SHAPE_SPHERE, TWD_NUM(0.028), TWD_WIDE(10), input);
     assert_int_equal(twd_agent_init(&agent, &config), TWD_OK);
     twd_agent_policy(&agent, input, parameter);
     *before = shortfall(parameter, target, units);
     for (int trial = 0; trial < TRIALS; trial++) {
         twd_agent_act(&agent, input, parameter);
-        (void)twd_agent_learn(&agent, (twd_num)(1.0 - shortfall(parameter, target, units)));
+        (void)twd_agent_learn(&agent, twd_wide_from_double(1.0 - shortfall(parameter, target, units)));
     }
     twd_agent_policy(&agent, input, parameter);
     *after = shortfall(parameter, target, units);
@@ -55,11 +55,11 @@ static void noise_free_policy_comes_close_to_the_optimum(void **state)
     static const size_t units[] = {5, 12, 22};
     (void)state;
     for (size_t i = 0; i < 3; i++) {
-        for (uint64_t seed = 1; seed <= SEEDS; seed++) {
+        for (int32_t seed = 1; seed <= CASES(SEEDS); seed++) {
             double before = 0.0;
             double after = 0.0;
-            train(seed, units[i], &before, &after);
-            print_message("%zu units, seed %d: shortfall %.4f -> %.4f\n", units[i], (int)seed, before, after);
+            train((uint64_t)seed, units[i], &before, &after);
+            print_message("%d units, seed %d: shortfall %.4f -> %.4f\n", (int)units[i], (int)seed, before, after);
             assert_true(after < 0.1 * before);
         }
     }

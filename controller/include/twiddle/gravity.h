@@ -44,7 +44,9 @@ struct twd_gravity {
 };
 
 /* Prepare `gravity` for `chain`: its first `moving` joints move, the others stay at `held_angle_rad` ([joints -
- * moving]). `acceleration_m_s2` is gravity's size (0..20), `direction` its unit vector in the chain's base frame. */
+ * moving]; may be null if all move). `acceleration_m_s2` is gravity's size (0..20), `direction` its unit vector in the chain's
+ * base frame. Errors: a null pointer; a chain too long; a number outside its range, a rotation that is none, and a chain
+ * that weighs more than 1e6 N or whose links' moments sum to more than TWD_LARGEST_MOMENT_NM (fixed: 8 N and 4 N m). */
 enum twd_error twd_gravity_init(struct twd_gravity *gravity, const struct twd_chain *chain, uint8_t moving,
                                 const twd_num *held_angle_rad, twd_wide acceleration_m_s2, const twd_num direction[3]);
 
