@@ -11,7 +11,7 @@ PEERS_SETS ?= 200
 PREFIX ?= /usr/local
 
 .DEFAULT_GOAL := help
-.PHONY: help run test bench bench-peers performance plots hand-tables firmware
+.PHONY: help run test bench bench-peers bench-firmware performance plots hand-tables firmware
 .PHONY: deps peers build sanitize format lint lint-format lint-tidy install clean gnuplot
 
 help: ## print this list
@@ -117,6 +117,17 @@ build/firmware/%/build.ninja: CMakePresets.json | deps
 .PHONY: $(FIRMWARE)
 $(FIRMWARE): %: %/build.ninja
 	@scripts/quietly cmake --build $@ --parallel $(JOBS)
+
+# CMSIS_DSP= goes without it, and without a network.
+CMSIS_DSP ?= build/cmsis-dsp
+
+bench-firmware: $(BUILD)/build.ninja deps ## count what controller and learner cost on each emulated board, beside other libraries, into build/bench
+	$(if $(CMSIS_DSP),@firmware/bench/fetch-cmsis-dsp $(CMSIS_DSP))
+	@scripts/quietly cmake --build --preset host --target emulators
+	@for board in $(BOARDS); do \
+	    scripts/quietly cmake --preset firmware-$$board-O2 -DTWIDDLE_CMSIS_DSP=$(abspath $(CMSIS_DSP)) && \
+	    scripts/quietly cmake --build --preset firmware-$$board-O2 --target bench_images --parallel $(JOBS) || exit 1; done
+	@python3 -B firmware/bench/bench_firmware.py --run firmware/emulators/run --images build/firmware --out build/bench/firmware.csv
 
 # --- building ---
 

@@ -4,8 +4,8 @@
 
 extern int main(void);
 
-/* Any trap is a fault; no interrupt is ever enabled. */
-__attribute__((interrupt("machine"))) static void fault(void)
+/* Any trap is a fault; no interrupt is ever enabled. The two lowest bits of mtvec are no part of the address. */
+__attribute__((interrupt("machine"), aligned(4))) static void fault(void)
 {
     board_write("the processor met a fault\n");
     board_exit(BOARD_FAULT);
