@@ -5,10 +5,10 @@ import collections
 import re
 import subprocess
 
-from instructions import INSTRUCTION_SETS
+from instructions import CALL, INSTRUCTION_SETS, JUMP
 
-# `target` is the address that it names, or None; `pushed` the bytes that it puts on the stack, or None if it does not say;
-# `next` the address of what stands behind it, None if that is no code.
+# `target` is the address that it names, or None; `pushed` the bytes that it puts on the stack, or None if it does not
+# say; `next` the address of what stands behind it, None if that is no code.
 Instruction = collections.namedtuple("Instruction", "kind target pushed next")
 
 
@@ -32,30 +32,31 @@ class Code:
         self.instructions = {}
         self.names = {}  # address -> a symbol's name
         self.read(text)
-        self.starts = sorted(self.names)
         self.symbols = read_symbols(run(objdump, "-t", image))
 
     def read(self, text):
         address = None  # of the instruction before, if this line stands behind one
+        for header in re.finditer(r"^([0-9a-f]+) <(.+)>:$", text, re.MULTILINE):
+            self.names[int(header.group(1), 16)] = header.group(2)
+        self.starts = sorted(self.names)
         for line in text.splitlines():
-            header = re.match(r"([0-9a-f]+) <(.+)>:$", line)
-            if header:
-                self.names[int(header.group(1), 16)] = header.group(2)
             found = re.match(r" *([0-9a-f]+):\t([a-z][\w.]*)\s*(.*)$", line)
             if found:
                 here = int(found.group(1), 16)
                 if address is not None:
                     self.instructions[address] = self.instructions[address]._replace(next=here)
-                self.instructions[here] = self.instruction(*found.groups()[1:])
+                self.instructions[here] = self.instruction(here, *found.groups()[1:])
                 address = here
-            elif line.strip() and not header:
+            elif line.strip() and not line.endswith(">:"):
                 address = None
 
-    def instruction(self, name, text):
+    def instruction(self, address, name, text):
         named = re.search(r"\b(?:0x)?([0-9a-f]+) <", text)
         target = int(named.group(1), 16) if named else None
         operands = re.split(r"\s+(?:[;@]|# )", text)[0]
         kind = self.instruction_set.kind(name, operands, target)
+        if kind == CALL and self.instruction_set.far_jumps and self.start(address) == self.start(target) != target:
+            kind = JUMP
         return Instruction(kind, target, self.instruction_set.pushed(name, operands), None)
 
     def start(self, address):
@@ -72,7 +73,7 @@ class Code:
 
 
 def read_symbols(table):
-    """{address: [(source of a local symbol or None, name)]} from objdump -t, in which local symbols follow their source."""
+    """{address: [(source of a local symbol or None, name)]} from objdump -t, where local symbols follow the source."""
     symbols, source = {}, None
     for line in table.splitlines():
         found = re.match(r"([0-9a-f]+) (.{7}) (\S+)\s+[0-9a-f]+ +(?:\.hidden )?(\S+)$", line)
