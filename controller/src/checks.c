@@ -11,10 +11,9 @@ static bool has_tables(const struct twd_topology *topology)
     return topology->coupling || topology->couplings == 0;
 }
 
-enum twd_error twd_check_cpg(const struct twd_topology *topology, const struct twd_cpg_config *config)
+static enum twd_error check_topology(const struct twd_topology *topology)
 {
     if (!has_tables(topology)) return TWD_ERROR_NULL;
-    const twd_small tick_s = config->tick_s;
     if (topology->oscillators < 1 || topology->oscillators > TWD_MAX_OSCILLATORS) return TWD_ERROR_TOO_MANY_OSCILLATORS;
     if (topology->couplings > TWD_MAX_COUPLINGS) return TWD_ERROR_TOO_MANY_COUPLINGS;
     if (topology->joints < 1 || topology->joints > TWD_MAX_JOINTS) return TWD_ERROR_TOO_MANY_JOINTS;
@@ -29,7 +28,12 @@ enum twd_error twd_check_cpg(const struct twd_topology *topology, const struct t
         if (topology->joint_oscillator[j] >= topology->oscillators) return TWD_ERROR_JOINT_OSCILLATOR;
     for (uint8_t i = 0; i < topology->oscillators; i++)
         if (!twd_within(topology->initial_centre[i], TWD_NUM(0), TWD_NUM(1))) return TWD_ERROR_RANGE;
+    return TWD_OK;
+}
 
+static enum twd_error check_cpg_config(const struct twd_cpg_config *config)
+{
+    const twd_small tick_s = config->tick_s;
     if (!(tick_s > TWD_SMALL(0)) || tick_s > TWD_SMALL(0.1)) return TWD_ERROR_TICK;
     if (!is_filter_rate(config->amplitude_rate_per_s, tick_s)) return TWD_ERROR_RANGE;
     if (!is_filter_rate(config->centre_rate_per_s, tick_s)) return TWD_ERROR_RANGE;
@@ -41,17 +45,31 @@ enum twd_error twd_check_cpg(const struct twd_topology *topology, const struct t
     return TWD_OK;
 }
 
+enum twd_error twd_check_cpgs(const struct twd_topology *const *topology, size_t networks,
+                              const struct twd_cpg_config *config)
+{
+    unsigned oscillators = 0;
+    unsigned couplings = 0;
+    if (networks < 1 || networks > TWD_MAX_CPGS) return TWD_ERROR_TOO_MANY_CPGS;
+    for (size_t n = 0; n < networks; n++) {
+        const enum twd_error error = check_topology(topology[n]);
+        if (error != TWD_OK) return error;
+        oscillators += topology[n]->oscillators;
+        couplings += topology[n]->couplings;
+    }
+    if (oscillators > TWD_MAX_OSCILLATORS) return TWD_ERROR_TOO_MANY_OSCILLATORS;
+    if (couplings > TWD_MAX_COUPLINGS) return TWD_ERROR_TOO_MANY_COUPLINGS;
+    return check_cpg_config(config);
+}
+
 static enum twd_error check_model(const struct twd_controller_config *config)
 {
     const struct twd_model *const model = config->model;
     if (!model) return TWD_ERROR_NULL;
-    if (model->cpgs < 1 || model->cpgs > TWD_MAX_CPGS) return TWD_ERROR_TOO_MANY_CPGS;
-
-    for (uint8_t k = 0; k < model->cpgs; k++) {
-        const enum twd_error error = twd_check_cpg(model->topology[k], &config->oscillators);
-        if (error != TWD_OK) return error;
+    const enum twd_error error = twd_check_cpgs(model->topology, model->cpgs, &config->oscillators);
+    if (error != TWD_OK) return error;
+    for (uint8_t k = 0; k < model->cpgs; k++)
         if (model->topology[k]->joints != config->joints) return TWD_ERROR_TOO_MANY_JOINTS;
-    }
     return TWD_OK;
 }
 

@@ -6,8 +6,9 @@
 #include <twiddle/cpg.h>
 #include <twiddle/error.h>
 
-/* Whether a CPG can be made of `topology` and `config`. */
-enum twd_error twd_check_cpg(const struct twd_topology *topology, const struct twd_cpg_config *config);
+/* Whether a CPG can be made of `topology`, [networks], and `config`. */
+enum twd_error twd_check_cpgs(const struct twd_topology *const *topology, size_t networks,
+                              const struct twd_cpg_config *config);
 
 /* Whether `pd` is in range. */
 enum twd_error twd_check_pd(const struct twd_pd *pd);

@@ -17,10 +17,8 @@ enum twd_error twd_controller_init(struct twd_controller *controller, const stru
 
     controller->config = *config;
     config = &controller->config;
-    for (uint8_t k = 0; k < config->model->cpgs; k++) {
-        /* The check above included this one's. */
-        (void)twd_cpg_init(&controller->cpg[k], config->model->topology[k], &config->oscillators);
-    }
+    /* The check above included this one's. */
+    (void)twd_cpg_init_several(&controller->cpg, config->model->topology, config->model->cpgs, &config->oscillators);
     twd_gate_normalise(no_preference, config->model->cpgs, controller->weight);
     controller->saturations = none;
     return TWD_OK;
@@ -34,13 +32,16 @@ enum twd_error twd_controller_start(struct twd_controller *controller, const twd
         twd_model_decode(config->model, config->oscillators.with_centre, &config->ranges, parameter, count, &drive);
     if (error != TWD_OK) return error;
 
+    twd_phase phase[TWD_MAX_OSCILLATORS] = {0};
+    twd_phase *next = phase;
     for (uint8_t k = 0; k < config->model->cpgs; k++) {
-        twd_phase phase[TWD_MAX_OSCILLATORS] = {0};
+        const struct twd_topology *const topology = config->model->topology[k];
         if (config->phase_start == TWD_PHASE_START_AT_LAG)
-            twd_cpg_phases_at_lag(config->model->topology[k], drive.cpg[k].phase_lag, phase);
-        twd_cpg_start(&controller->cpg[k], &drive.cpg[k], phase);
+            twd_cpg_phases_at_lag(topology, drive.cpg[k].phase_lag, next);
+        next += topology->oscillators;
         controller->weight[k] = drive.weight[k];
     }
+    twd_cpg_start(&controller->cpg, drive.cpg, phase);
     return TWD_OK;
 }
 
@@ -51,16 +52,15 @@ static twd_num saturate(struct twd_controller *controller, twd_num fraction)
     return twd_clamp(fraction, TWD_NUM(0), TWD_NUM(1));
 }
 
-/* Add the weighted outputs of CPG `index` to the joints' sums. */
-static void mix(struct twd_controller *controller, uint8_t index, twd_num *sum)
+/* Add the weighted outputs of one CPG, whose oscillators begin at `oscillator`, to the joints' sums. */
+static void mix(struct twd_controller *controller, const struct twd_topology *topology,
+                const struct twd_oscillator *oscillator, twd_num weight, twd_num *sum)
 {
-    const struct twd_cpg *const cpg = &controller->cpg[index];
-    const struct twd_topology *const topology = cpg->topology;
     twd_num weighted[TWD_MAX_OSCILLATORS];
     for (uint8_t i = 0; i < topology->oscillators; i++) {
-        twd_num output = twd_cpg_output(cpg, i);
+        twd_num output = oscillator[i].output;
         if (controller->config.saturation == TWD_SATURATE_EACH) output = saturate(controller, output);
-        weighted[i] = twd_mul(controller->weight[index], output);
+        weighted[i] = twd_mul_short(weight, output);
     }
     for (uint8_t j = 0; j < topology->joints; j++)
         sum[j] += weighted[topology->joint_oscillator[j]];
@@ -71,9 +71,12 @@ void twd_controller_tick(struct twd_controller *controller, twd_num *desired_ang
     const struct twd_controller_config *const config = &controller->config;
     twd_num sum[TWD_MAX_JOINTS] = {TWD_NUM(0)};
 
+    twd_cpg_tick(&controller->cpg);
+    const struct twd_oscillator *oscillator = controller->cpg.oscillator;
     for (uint8_t k = 0; k < config->model->cpgs; k++) {
-        twd_cpg_tick(&controller->cpg[k]);
-        mix(controller, k, sum);
+        const struct twd_topology *const topology = config->model->topology[k];
+        mix(controller, topology, oscillator, controller->weight[k], sum);
+        oscillator += topology->oscillators;
     }
     for (uint8_t j = 0; j < config->joints; j++) {
         const twd_num fraction = config->saturation == TWD_SATURATE_SUM ? saturate(controller, sum[j]) : sum[j];

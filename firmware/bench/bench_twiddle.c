@@ -47,16 +47,12 @@ void seven_start(const double *parameter, const struct drive *drive)
 /* The outputs come with the tick. */
 void seven_tick(void)
 {
-    for (size_t k = 0; k < 3; k++)
-        twd_cpg_tick(&controller.cpg[k]);
+    twd_cpg_tick(&controller.cpg);
 }
 
 double seven_output(size_t index)
 {
-    size_t cpg = 0;
-    while (index >= controller.cpg[cpg].topology->oscillators)
-        index -= controller.cpg[cpg++].topology->oscillators;
-    return twd_num_to_double(twd_cpg_output(&controller.cpg[cpg], (uint8_t)index));
+    return twd_num_to_double(twd_cpg_output(&controller.cpg, (uint8_t)index));
 }
 
 /* The same sets as seven_run's, through the whole controller; the hand follows one tick behind. */

@@ -26,8 +26,10 @@ enum twd_error twd_actor_init(struct twd_actor *actor, size_t units, size_t inpu
 twd_num twd_actor_unit(const struct twd_actor *actor, size_t unit, const twd_num *input)
 {
     twd_wide activation = TWD_WIDE(0);
-    for (size_t i = 0; i < actor->inputs; i++)
+    for (size_t i = 0; i < actor->inputs; i++) {
+        if (input[i] == TWD_NUM(0)) continue; /* most inputs are silent */
         activation = twd_wide_add(activation, twd_wide_product(actor->weight[unit][i], input[i]));
+    }
     return twd_sigmoid(activation);
 }
 
@@ -57,7 +59,9 @@ void twd_actor_learn(struct twd_actor *actor, const twd_num *input, twd_num rate
         const twd_num output = actor->output[j];
         const twd_num slope = twd_mul(output, TWD_NUM(1) - output);
         const twd_num step = twd_num_mul_wide(twd_mul(actor->learned_value[j] - output, slope), gain);
-        for (size_t i = 0; i < actor->inputs; i++)
+        for (size_t i = 0; i < actor->inputs; i++) {
+            if (input[i] == TWD_NUM(0)) continue;
             actor->weight[j][i] = twd_add_saturated(actor->weight[j][i], twd_mul_saturated(step, input[i]));
+        }
     }
 }

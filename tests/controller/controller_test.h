@@ -9,7 +9,7 @@
 #define PI 3.14159265358979323846
 
 /* The bound that phase.h states for sines and cosines. */
-#define SINE_BOUND BY_NUMBER(1e-8, 2e-7, 2e-6)
+#define SINE_BOUND BY_NUMBER(1e-8, 2e-7, 4e-6)
 
 /* What a filter may be off its closed form for a step of 1, beside rounding. In the fixed build its factors have 16 bits: half a step
  * is up to 2^-16 of 1 - e, and 1.44 x 2^-16 of the rate and of e k; the response moves by at most 0.54 and 0.37 of these. */

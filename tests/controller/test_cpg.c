@@ -50,14 +50,15 @@ static struct twd_cpg_drive random_drive(uint64_t *random, double amplitude_lowe
     return drive;
 }
 
-static void assert_lags(const struct twd_cpg *cpg, double tolerance_turns)
+static void assert_lags(const struct twd_cpg *cpg, const struct twd_cpg_drive *drive, double tolerance_turns)
 {
-    for (int k = 0; k < cpg->topology->couplings; k++) {
-        const struct twd_coupling coupling = cpg->topology->coupling[k];
+    const struct twd_topology *const topology = cpg->topology[0];
+    for (int k = 0; k < topology->couplings; k++) {
+        const struct twd_coupling coupling = topology->coupling[k];
         const twd_phase lead = cpg->oscillator[coupling.second].phase - cpg->oscillator[coupling.first].phase;
-        const double error = signed_turns(lead - cpg->drive.phase_lag[k]);
+        const double error = signed_turns(lead - drive->phase_lag[k]);
         if (!(fabs(error) <= tolerance_turns)) {
-            print_error("%s, coupling %d: lag is off by %g turns\n", cpg->topology->name, k, error);
+            print_error("%s, coupling %d: lag is off by %g turns\n", topology->name, k, error);
             fail();
         }
     }
@@ -108,11 +109,11 @@ static void trees_reach_their_limit_cycle(void **state)
         for (int tick = 0; tick < SETTLED_TICKS; tick++)
             twd_cpg_tick(&cpg);
 
-        for (uint8_t i = 0; i < cpg.topology->oscillators; i++) {
-            assert_num_close(twd_cpg_amplitude(&cpg, i), twd_num_to_double(drive.amplitude[i]), SETTLED);
-            assert_num_close(twd_cpg_centre(&cpg, i), twd_num_to_double(drive.centre[i]), SETTLED);
+        for (uint8_t i = 0; i < cpg.oscillators; i++) {
+            assert_num_close(cpg.oscillator[i].amplitude.value, twd_num_to_double(drive.amplitude[i]), SETTLED);
+            assert_num_close(cpg.oscillator[i].centre.value, twd_num_to_double(drive.centre[i]), SETTLED);
         }
-        assert_lags(&cpg, 1e-6);
+        assert_lags(&cpg, &drive, 1e-6);
     }
 }
 
@@ -126,13 +127,13 @@ static void trees_started_at_lag_stay_there(void **state)
         struct twd_cpg cpg = make(trees[repeat % 3], true);
         const struct twd_cpg_drive drive = random_drive(&random, 0.0);
         twd_phase phase[TWD_MAX_OSCILLATORS];
-        twd_cpg_phases_at_lag(cpg.topology, drive.phase_lag, phase);
+        twd_cpg_phases_at_lag(cpg.topology[0], drive.phase_lag, phase);
         assert_int_equal(phase[0], 0);
         twd_cpg_start(&cpg, &drive, phase);
-        assert_lags(&cpg, 0.0);
+        assert_lags(&cpg, &drive, 0.0);
         for (int tick = 0; tick < 300; tick++)
             twd_cpg_tick(&cpg);
-        assert_lags(&cpg, 0.0);
+        assert_lags(&cpg, &drive, 0.0);
         const double turns = 300 * 0.01 * twd_num_to_double(drive.frequency_hz);
         const twd_phase expected = (twd_phase)(fmod(turns, 1.0) * 4294967296.0);
         assert_close(signed_turns(cpg.oscillator[0].phase - expected), 0.0, 1e-6);
@@ -175,9 +176,9 @@ static void outputs_follow_both_equations(void **state)
         for (uint8_t i = 0; i < 4; i++) {
             const double cos_a = cos(2.0 * PI * signed_turns(with_centre.oscillator[i].phase));
             const double cos_b = cos(2.0 * PI * signed_turns(without_centre.oscillator[i].phase));
-            const double amplitude_a = twd_num_to_double(twd_cpg_amplitude(&with_centre, i));
-            const double amplitude_b = twd_num_to_double(twd_cpg_amplitude(&without_centre, i));
-            const double centre = twd_num_to_double(twd_cpg_centre(&with_centre, i));
+            const double amplitude_a = twd_num_to_double(with_centre.oscillator[i].amplitude.value);
+            const double amplitude_b = twd_num_to_double(without_centre.oscillator[i].amplitude.value);
+            const double centre = twd_num_to_double(with_centre.oscillator[i].centre.value);
             assert_num_close(twd_cpg_output(&with_centre, i), centre + amplitude_a * cos_a, tolerance);
             assert_num_close(twd_cpg_output(&without_centre, i), amplitude_b * (1.0 + cos_b), tolerance);
         }
@@ -203,7 +204,7 @@ static void ring_settles_to_a_travelling_wave(void **state)
         twd_cpg_start(&cpg, &drive, phase);
         for (int tick = 0; tick < SETTLED_TICKS; tick++)
             twd_cpg_tick(&cpg);
-        assert_lags(&cpg, 1e-6);
+        assert_lags(&cpg, &drive, 1e-6);
     }
 }
 
@@ -253,10 +254,47 @@ static void centres_start_as_the_setting_says(void **state)
             drive.centre[i] = twd_num_from_double(target[i]);
         twd_cpg_start(&cpg, &drive, phase);
         for (uint8_t i = 0; i < 4; i++)
-            assert_num_close(twd_cpg_centre(&cpg, i), expected[start][i], 0.0);
+            assert_num_close(cpg.oscillator[i].centre.value, expected[start][i], 0.0);
         twd_cpg_tick(&cpg);
         for (uint8_t i = 0; start == TWD_CENTRE_START_AT_TARGET && i < 4; i++)
-            assert_num_close(twd_cpg_centre(&cpg, i), target[i], 0.0);
+            assert_num_close(cpg.oscillator[i].centre.value, target[i], 0.0);
+    }
+}
+
+/* Several networks in one array do what each does alone, bit for bit. */
+static void networks_side_by_side_do_not_know_each_other(void **state)
+{
+    (void)state;
+    uint64_t random = 11;
+    print_message("seed 11\n");
+    static const struct twd_topology *const topology[] = {&twd_cpg_c, &twd_cpg_m, &twd_cpg_s};
+    struct twd_cpg together;
+    struct twd_cpg alone[3];
+    struct twd_cpg_drive drive[3];
+    twd_phase phase[TWD_MAX_OSCILLATORS];
+    const struct twd_cpg_config config = make(&twd_cpg_c, true).config;
+
+    assert_int_equal(twd_cpg_init_several(&together, topology, 3, &config), TWD_OK);
+    for (int i = 0; i < TWD_MAX_OSCILLATORS; i++)
+        phase[i] = uniform_phase(&random);
+    const twd_phase *next = phase;
+    for (int n = 0; n < 3; n++) {
+        drive[n] = random_drive(&random, 0.0);
+        drive[n].frequency_hz = drive[0].frequency_hz;
+        assert_int_equal(twd_cpg_init(&alone[n], topology[n], &config), TWD_OK);
+        twd_cpg_start(&alone[n], &drive[n], next);
+        next += topology[n]->oscillators;
+    }
+    twd_cpg_start(&together, drive, phase);
+
+    for (int tick = 0; tick < 300; tick++) {
+        twd_cpg_tick(&together);
+        uint8_t index = 0;
+        for (int n = 0; n < 3; n++) {
+            twd_cpg_tick(&alone[n]);
+            for (uint8_t i = 0; i < topology[n]->oscillators; i++)
+                assert_true(twd_cpg_output(&together, index++) == twd_cpg_output(&alone[n], i));
+        }
     }
 }
 
@@ -271,6 +309,7 @@ int main(void)
         cmocka_unit_test(ring_settles_to_a_travelling_wave),
         cmocka_unit_test(equal_return_lag_settles_in_or_against_phase),
         cmocka_unit_test(centres_start_as_the_setting_says),
+        cmocka_unit_test(networks_side_by_side_do_not_know_each_other),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

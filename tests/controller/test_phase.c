@@ -104,8 +104,9 @@ static void advances_are_turns_of_a_tick(void **state)
             const double turns = frequency_hz * tick_s[h], turns_of_rate = rate_rad_s * tick_s[h] / (2.0 * PI);
             assert_close(signed_turns(twd_phase_from_frequency(twd_num_from_double(frequency_hz), tick)), turns,
                          BY_NUMBER(1e-9, 1e-7, 1.2e-9));
-            assert_close(signed_turns(twd_phase_from_rate(twd_wide_from_double(rate_rad_s), gain)), turns_of_rate,
-                         BY_NUMBER(1e-9, 1e-7, 1.2e-9));
+            assert_close(signed_turns(twd_phase_from_rates(twd_wide_from_double(rate_rad_s),
+                                                           twd_wide_from_double(rate_rad_s), gain)),
+                         turns_of_rate, BY_NUMBER(1e-9, 1e-7, 1.2e-9));
         }
     }
 }

@@ -1,6 +1,10 @@
 #!/bin/sh
-# build_images.sh SOURCE_DIR PRESET: build what tests run on a board; says something only if that fails.
+# build_images.sh SOURCE_DIR BOARD: build what tests run on a board; says something only if that fails.
 set -eu
 cd "$1"
-[ -f "build/firmware/${2#firmware-}/build.ninja" ] || scripts/quietly cmake --preset "$2"
-scripts/quietly cmake --build --preset "$2" --parallel 2 --target all test_images
+for level in Os O2; do
+    preset=firmware-$2-$level
+    [ -f "build/firmware/$2-$level/build.ninja" ] || scripts/quietly cmake --preset "$preset"
+    scripts/quietly cmake --build --preset "$preset" --parallel 2
+done
+scripts/quietly cmake --build --preset "$preset" --parallel 2 --target test_images

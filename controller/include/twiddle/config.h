@@ -5,12 +5,12 @@
 #ifndef TWIDDLE_CONFIG_H
 #define TWIDDLE_CONFIG_H
 
-/* Oscillators in one CPG. */
+/* Oscillators of one controller, of all its CPGs together. */
 #ifndef TWD_MAX_OSCILLATORS
 #define TWD_MAX_OSCILLATORS 8
 #endif
 
-/* Couplings (edges, each acting both ways) in one CPG. */
+/* Couplings (edges, each acting both ways) of one controller, of all its CPGs together. */
 #ifndef TWD_MAX_COUPLINGS
 #define TWD_MAX_COUPLINGS 12
 #endif

@@ -72,7 +72,7 @@ struct twd_saturations {
 /* A running controller. Fields may be read. */
 struct twd_controller {
     struct twd_controller_config config;
-    struct twd_cpg cpg[TWD_MAX_CPGS];
+    struct twd_cpg cpg;           /* all CPGs of the model */
     twd_num weight[TWD_MAX_CPGS]; /* the selector's s_k of this trial */
     struct twd_saturations saturations;
 };

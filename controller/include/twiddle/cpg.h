@@ -72,26 +72,44 @@ struct twd_cpg_drive {
     twd_phase phase_lag[TWD_MAX_COUPLINGS]; /* phi, turns (2^32 = one) */
 };
 
-/* A running network. All fields are private to the module but may be read. */
-struct twd_cpg {
-    const struct twd_topology *topology;
-    struct twd_cpg_config config;
-    struct twd_filter_step amplitude_step;                 /* a's transition */
-    struct twd_filter_step centre_step;                    /* b's transition */
-    twd_turn_gain turn_gain;                               /* from rad/s to the turns of a tick */
-    twd_phase intrinsic_advance;                           /* turns a tick, from nu */
-    struct twd_cpg_drive drive;                            /* this trial's targets */
-    struct twd_oscillator oscillator[TWD_MAX_OSCILLATORS]; /* state */
-    twd_wide last_pull[TWD_MAX_OSCILLATORS];               /* coupling sum of the last tick, rad/s */
-    twd_num output[TWD_MAX_OSCILLATORS];                   /* x after the last tick, of the joint's range */
+/* A coupling of running oscillators. */
+struct twd_running_coupling {
+    twd_phase
+        lag_and_quarter; /* phi of this trial and a quarter turn, which makes a sine of a cosine, turns (2^32 = one) */
+    uint16_t first;      /* where the oscillators at its ends stand among those of all networks, bytes */
+    uint16_t second;
 };
 
-/* Make `cpg` a network of `topology`; copies `config`. Errors: a topology that does not hold together, a field outside its
+/* One or several running networks, whose oscillators stand in one array, one network's after another's. All fields are private to
+ * the module but may be read. */
+struct twd_cpg {
+    struct twd_cpg_config config;
+    struct twd_filter_step amplitude_step;                   /* a's transition */
+    struct twd_filter_step centre_step;                      /* b's transition */
+    twd_turn_gain turn_gain;                                 /* from rad/s to the turns of a tick */
+    twd_phase intrinsic_advance;                             /* turns a tick, from nu */
+    uint8_t networks;                                        /* 1..TWD_MAX_CPGS */
+    uint8_t oscillators;                                     /* of all networks */
+    uint16_t oscillators_end;                                /* where the oscillators in use end, bytes */
+    uint16_t couplings_end;                                  /* where the couplings in use end, bytes */
+    uint8_t couplings;                                       /* of all networks */
+    const struct twd_topology *topology[TWD_MAX_CPGS];       /* [networks] */
+    struct twd_running_coupling coupling[TWD_MAX_COUPLINGS]; /* [couplings] */
+    struct twd_oscillator oscillator[TWD_MAX_OSCILLATORS];   /* [oscillators] state */
+};
+
+/* Make `cpg` one network of `topology`; copies `config`. Errors: a topology that does not hold together, a field outside its
  * range. */
 enum twd_error twd_cpg_init(struct twd_cpg *cpg, const struct twd_topology *topology,
                             const struct twd_cpg_config *config);
 
-/* Start a trial: amplitudes and velocities 0, centres as centre_start says, phases as given ([oscillators], turns). */
+/* Make `cpg` several networks, of `topology`, [networks], which share `config` and a frequency but no coupling. Errors: as above, and
+ * more networks, oscillators or couplings together than the arrays hold. */
+enum twd_error twd_cpg_init_several(struct twd_cpg *cpg, const struct twd_topology *const *topology, size_t networks,
+                                    const struct twd_cpg_config *config);
+
+/* Start a trial: amplitudes and velocities 0, centres as centre_start says, phases as given ([oscillators] of all networks,
+ * turns). `drive` is [networks]; the first one's frequency counts for all. */
 void twd_cpg_start(struct twd_cpg *cpg, const struct twd_cpg_drive *drive, const twd_phase *initial_phase);
 
 /* The phases at which every oscillator already has its desired lag: the first at 0, then along the couplings in the
@@ -102,9 +120,7 @@ void twd_cpg_phases_at_lag(const struct twd_topology *topology, const twd_phase 
 /* Advance by one tick. */
 void twd_cpg_tick(struct twd_cpg *cpg);
 
-/* r, c and x of oscillator `index`, of the joint's range (x is not saturated). */
-twd_num twd_cpg_amplitude(const struct twd_cpg *cpg, uint8_t index);
-twd_num twd_cpg_centre(const struct twd_cpg *cpg, uint8_t index);
+/* Output of oscillator `index`, of the joint's range (not saturated). */
 twd_num twd_cpg_output(const struct twd_cpg *cpg, uint8_t index);
 
 #ifdef __cplusplus

@@ -6,8 +6,7 @@
  * target Y is handed to every function, and is the same from start to start.
  *
  *     twd_filter_start      begin at `value` (y), at rest
- *     twd_filter_value      y
- *     twd_filter_velocity   y' / (a/2), in the unit of y
+ *     twd_filter_velocity   y' / (a/2), in the unit of y; y is the field `value`
  *     twd_filter_advance    one tick towards the target */
 #ifndef TWIDDLE_FILTER_H
 #define TWIDDLE_FILTER_H

@@ -9,11 +9,16 @@
 #include <twiddle/number.h>
 #include <twiddle/phase.h>
 
-/* The state of one oscillator. */
+/* The state of one oscillator, and its targets: R and C of one trial. */
 struct twd_oscillator {
     twd_phase phase;             /* theta, turns, 2^32 = one; wraps by itself */
     struct twd_filter amplitude; /* r, of the joint's range, 0..0.5 */
     struct twd_filter centre;    /* c, of the joint's range, 0..1; unused without centre */
+    twd_num amplitude_target;    /* R */
+    twd_num centre_target;       /* C */
+    twd_wide pull;               /* coupling sum of the coming tick as far as it is known, rad/s; 0 between two ticks */
+    twd_wide last_pull;          /* coupling sum of the last tick, rad/s */
+    twd_num output;              /* x after the last tick, of the joint's range, not saturated */
 };
 
 /* x = c + r cos(theta) */

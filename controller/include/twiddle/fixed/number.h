@@ -24,8 +24,10 @@ typedef int32_t twd_small;
 #define TWD_RATE_BITS 20
 #define TWD_SMALL_BITS 34
 
-/* A constant of each type, rounded to nearest. A compiler whose double has 24 bits (avr-gcc) rounds it to these before. */
-#define TWD_FIXED_WORD(value, one) ((int32_t)((value) * (one) + ((value) < 0 ? -0.5 : 0.5)))
+/* A constant of each type, rounded to nearest. A compiler whose double has 24 bits (avr-gcc) rounds it to these before; a half
+ * added to such a number could round it once more, so what the truncation leaves over decides. */
+#define TWD_FIXED_WORD(value, one)                                                                                     \
+    ((int32_t)((value) * (one)) + (int32_t)(2.0 * ((value) * (one) - (double)(int32_t)((value) * (one)))))
 #define TWD_NUM(value) ((twd_num)TWD_FIXED_WORD(value, 268435456.0))
 #define TWD_WIDE(value) ((twd_wide)TWD_FIXED_WORD(value, 16777216.0))
 #define TWD_RATE(value) ((twd_rate)TWD_FIXED_WORD(value, 1048576.0))
@@ -51,16 +53,35 @@ typedef int32_t twd_small;
 #define TWD_MULTIPLIES_BY_PIECES
 #endif
 
+/* Cores whose multiplication can leave out the low word; compilers do not use it for the C below. */
+#if defined(__GNUC__) && defined(__ARM_FEATURE_DSP) && defined(__thumb2__)
+#define TWD_HAS_SMMUL
+#endif
+
+/* The low 16 bits of `word`. */
+static inline uint32_t twd_low_half(int32_t word)
+{
+#if defined(__GNUC__) && defined(__ARM_ARCH_6M__)
+    /* One instruction, for which compilers take two; of a constant they know the half. */
+    if (__builtin_constant_p(word)) return (uint32_t)word & 0xFFFFU;
+    uint32_t half;
+    __asm__("uxth %0, %1" : "=l"(half) : "l"(word));
+    return half;
+#else
+    return (uint32_t)word & 0xFFFFU;
+#endif
+}
+
 /* floor(a b / 2^32) */
 static inline int32_t twd_high_word_of_pieces(int32_t a, int32_t b)
 {
-    const uint32_t a_low = (uint32_t)a & 0xFFFFU;
-    const uint32_t b_low = (uint32_t)b & 0xFFFFU;
+    const uint32_t a_low = twd_low_half(a);
+    const uint32_t b_low = twd_low_half(b);
     const int32_t a_high = a >> 16;
     const int32_t b_high = b >> 16;
     /* Neither sum overflows: |a_high b_low| is at most 2^15 (2^16 - 1), and what is added below 2^16. */
     const int32_t first = a_high * (int32_t)b_low + (int32_t)((a_low * b_low) >> 16);
-    const int32_t second = (int32_t)a_low * b_high + (int32_t)((uint32_t)first & 0xFFFFU);
+    const int32_t second = (int32_t)a_low * b_high + (int32_t)twd_low_half(first);
     return a_high * b_high + (first >> 16) + (second >> 16);
 }
 
@@ -68,8 +89,24 @@ static inline int32_t twd_high_word(int32_t a, int32_t b)
 {
 #if defined(TWD_MULTIPLIES_BY_PIECES)
     return twd_high_word_of_pieces(a, b);
+#elif defined(TWD_HAS_SMMUL)
+    int32_t high;
+    __asm__("smmul %0, %1, %2" : "=r"(high) : "r"(a), "r"(b));
+    return high;
 #else
     return (int32_t)(((int64_t)a * b) >> 32);
+#endif
+}
+
+/* sum + floor(a b / 2^32), where that is one word */
+static inline int32_t twd_add_high_word(int32_t sum, int32_t a, int32_t b)
+{
+#if defined(TWD_HAS_SMMUL)
+    int32_t result;
+    __asm__("smmla %0, %1, %2, %3" : "=r"(result) : "r"(a), "r"(b), "r"(sum));
+    return result;
+#else
+    return sum + twd_high_word(a, b);
 #endif
 }
 
@@ -92,7 +129,7 @@ static inline int64_t twd_product(int32_t a, int32_t b)
 /* floor(a a / 2^32) */
 static inline int32_t twd_high_word_of_square_of_pieces(int32_t a)
 {
-    const uint32_t low = (uint32_t)a & 0xFFFFU;
+    const uint32_t low = twd_low_half(a);
     const int32_t high = a >> 16;
     const int32_t mixed = high * (int32_t)low + (int32_t)((low * low) >> 17);
     return high * high + (mixed >> 15);
@@ -107,21 +144,92 @@ static inline int32_t twd_high_word_of_square(int32_t a)
 #endif
 }
 
-/* floor(a factor / 2^(16 + shift)), for a factor of at most 2^(15 + shift), so of 16 bits, and a shift of 0 to 2: cheaper than
+/* floor(a factor / 2^(16 + shift)), for a factor of at most 2^16 and a shift of 0 to 16: cheaper than
  * twd_high_word on cores that multiply by pieces, and as cheap on the others. */
 static inline int32_t twd_scaled_by_pieces(int32_t a, uint32_t factor, unsigned shift)
 {
-    const uint32_t low = (uint32_t)a & 0xFFFFU;
+    const uint32_t low = twd_low_half(a);
     const int32_t high = a >> 16;
     return (high * (int32_t)factor + (int32_t)((low * factor) >> 16)) >> shift;
 }
 
-static inline int32_t twd_scaled(int32_t a, uint32_t factor, unsigned shift)
+/* sum + floor(a short_word / 2^32), for a word from 0 to 2^30 whose lowest 14 bits are 0. */
+static inline int32_t twd_add_mul_short(int32_t sum, int32_t a, uint32_t short_word)
 {
 #if defined(TWD_MULTIPLIES_BY_PIECES)
-    return twd_scaled_by_pieces(a, factor, shift);
+    return sum + twd_scaled_by_pieces(a, short_word >> 14, 2);
 #else
-    return twd_high_word(a, (int32_t)(factor << (16U - shift)));
+    return twd_add_high_word(sum, a, (int32_t)short_word);
+#endif
+}
+
+/* A factor from 0 to below a half, of 16 bits behind its leading zeros: as cores with a long multiplication use it, in units of
+ * 2^-32, and as cores that multiply by pieces do. */
+#if defined(TWD_MULTIPLIES_BY_PIECES)
+typedef struct {
+    uint16_t digits;
+    uint16_t shift; /* 1..16; digits are in units of 2^-(16 + shift) */
+} twd_factor;
+#else
+typedef int32_t twd_factor;
+#endif
+
+/* The factor nearest to `value`, in [0, 1/2), with as many leading zeros. */
+static inline twd_factor twd_factor_of_num(twd_num value)
+{
+    uint32_t word = (uint32_t)(int32_t)value;
+    uint16_t shift = 0;
+    while (word < ((uint32_t)1 << (TWD_NUM_BITS - 2)) && shift < 15) {
+        word *= 2;
+        shift++;
+    }
+    const uint32_t rounded = (word + ((uint32_t)1 << 10)) >> 11;
+    const uint32_t digits = rounded > UINT16_MAX ? UINT16_MAX : rounded;
+#if defined(TWD_MULTIPLIES_BY_PIECES)
+    const twd_factor factor = {(uint16_t)digits, (uint16_t)(shift + 1U)};
+    return factor;
+#else
+    return (int32_t)(digits << (15 - shift));
+#endif
+}
+
+/* The factor in units of 2^-32, the same on every core; one to subtract by is negative where it is kept so. */
+static inline int32_t twd_factor_word(twd_factor factor)
+{
+#if defined(TWD_MULTIPLIES_BY_PIECES)
+    return (int32_t)((uint32_t)factor.digits << (16U - factor.shift));
+#else
+    return factor;
+#endif
+}
+
+/* sum + floor(a factor) */
+static inline int32_t twd_add_mul_factor(int32_t sum, int32_t a, twd_factor factor)
+{
+#if defined(TWD_MULTIPLIES_BY_PIECES)
+    return sum + twd_scaled_by_pieces(a, factor.digits, factor.shift);
+#else
+    return twd_add_high_word(sum, a, factor);
+#endif
+}
+
+/* A factor to subtract by: kept as its negative where it is a word. */
+static inline twd_factor twd_factor_to_subtract(twd_num value)
+{
+#if defined(TWD_MULTIPLIES_BY_PIECES)
+    return twd_factor_of_num(value);
+#else
+    return -twd_factor_of_num(value);
+#endif
+}
+
+/* sum + floor(-a factor), for a factor to subtract by */
+static inline int32_t twd_subtract_mul_factor(int32_t sum, int32_t a, twd_factor factor)
+{
+#if defined(TWD_MULTIPLIES_BY_PIECES)
+    return twd_add_mul_factor(sum, -a, factor);
+#else
+    return twd_add_mul_factor(sum, a, factor);
 #endif
 }
 

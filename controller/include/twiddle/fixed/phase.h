@@ -34,10 +34,12 @@ static inline twd_turn_gain twd_turn_gain_of_tick(twd_small tick_s)
     return (int32_t)twd_rounded(twd_product((int32_t)tick_s, INT32_C(1367130551)), 31);
 }
 
-static inline twd_phase twd_phase_from_rate(twd_wide rate_rad_s, twd_turn_gain gain)
+static inline twd_phase twd_phase_from_rates(twd_wide rate_rad_s, twd_wide last_rate_rad_s, twd_turn_gain gain)
 {
-    /* Eight times a rate below 16 rad/s fills the word. */
-    return (uint32_t)twd_high_word((int32_t)((uint32_t)(int32_t)rate_rad_s << 3), gain) << 1;
+    const uint32_t rate = (uint32_t)(int32_t)rate_rad_s;
+    /* Eight times an extrapolated rate below 16 rad/s fills the word. */
+    const uint32_t eight = (3U * rate - (uint32_t)(int32_t)last_rate_rad_s) << 2;
+    return (uint32_t)twd_high_word((int32_t)eight, gain) << 1;
 }
 
 static inline twd_phase twd_phase_from_fraction(twd_num fraction)
@@ -45,25 +47,36 @@ static inline twd_phase twd_phase_from_fraction(twd_num fraction)
     return (uint32_t)(int32_t)twd_clamp(fraction, TWD_NUM(0), TWD_NUM(1)) << 4;
 }
 
-static inline twd_num twd_cos(twd_phase phase)
+static inline twd_num twd_cos_inline(twd_phase phase)
 {
     /* s, half turns from the nearest multiple of half a turn, in [-1/2, 1/2), is the phase without its sign, and s^2 fits
      * 2^-32 a unit. The polynomial needs only 16 bits of it. */
     const int32_t square = twd_high_word_of_square((int32_t)(phase << 1));
-    const uint32_t short_square = ((uint32_t)square + 0x2000U) >> 14;
+    const uint32_t short_square = (uint32_t)square & UINT32_C(0xFFFFC000);
 
-    /* cos(pi s) = (1/4 - s^2) Q(s^2), so that the zeros are exact; Q(0) = 4 makes cos(0) = 1. The polynomial Q of least maximum
-     * error of the cosine: Remez exchange in 40-digit arithmetic; maximum error 6.0e-8. In units of 2^-28. */
-    int32_t sum = INT32_C(-58975021);
-    sum = twd_scaled(sum, short_square, 2) + INT32_C(342793912);
-    sum = twd_scaled(sum, short_square, 2) - INT32_C(1003728285);
-    sum = twd_scaled(sum, short_square, 2) + INT32_C(1073741824);
+    /* cos(pi s) = (1/4 - s^2) Q(s^2), so that the zeros are exact; Q(0) = 4 makes cos(0) = 1. Q is the cubic polynomial of least
+     * maximum error, with the 16 bits of s^2, whose coefficients have 16 bits, too, which are cheap to load and to multiply by: found by
+     * trying those around the best one; maximum error 3.0e-6. In units of 2^-28. */
+    int32_t sum = -INT32_C(0x03C00000);
+    sum = twd_add_mul_short(INT32_C(0x14880000), sum, short_square);
+    sum = twd_add_mul_short(-INT32_C(0x3BD60000), sum, short_square);
+    sum = twd_add_mul_short(INT32_C(0x40000000), sum, short_square);
     const int32_t cosine = twd_high_word(INT32_C(0x40000000) - square, sum);
 
     /* The second and the third quarter turn are the first and the last with the other sign. */
     const int32_t sign = (int32_t)(phase ^ (phase << 1)) >> 31;
     return (twd_num)((cosine ^ sign) - sign);
 }
+
+#if defined(TWD_MULTIPLIES_BY_PIECES)
+/* Not inline: the many registers of its pieces are better off on their own. */
+twd_num twd_cos(twd_phase phase);
+#else
+static inline twd_num twd_cos(twd_phase phase)
+{
+    return twd_cos_inline(phase);
+}
+#endif
 
 static inline twd_num twd_sin(twd_phase phase)
 {

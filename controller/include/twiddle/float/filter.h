@@ -31,14 +31,9 @@ static inline struct twd_filter twd_filter_start(twd_num value, twd_num target)
     return filter;
 }
 
-static inline twd_num twd_filter_value(const struct twd_filter *filter, twd_num target)
+static inline twd_num twd_filter_velocity(const struct twd_filter *filter, twd_num target)
 {
     (void)target;
-    return filter->value;
-}
-
-static inline twd_num twd_filter_velocity(const struct twd_filter *filter)
-{
     return filter->velocity;
 }
 

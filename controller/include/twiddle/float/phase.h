@@ -44,9 +44,10 @@ static inline twd_turn_gain twd_turn_gain_of_tick(twd_small tick_s)
     return tick_s;
 }
 
-static inline twd_phase twd_phase_from_rate(twd_wide rate_rad_s, twd_turn_gain gain)
+static inline twd_phase twd_phase_from_rates(twd_wide rate_rad_s, twd_wide last_rate_rad_s, twd_turn_gain gain)
 {
-    return twd_phase_from_turns(twd_mul(twd_mul(rate_rad_s, TWD_NUM(0.15915494309189535)), gain));
+    const twd_num extrapolated = rate_rad_s + twd_mul(rate_rad_s - last_rate_rad_s, TWD_NUM(0.5));
+    return twd_phase_from_turns(twd_mul(twd_mul(extrapolated, TWD_NUM(0.15915494309189535)), gain));
 }
 
 /* The phase of `fraction` of a turn, in [0, 1]; 1 wraps to 0. */
