@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -47,7 +48,8 @@ class Request
 
     twd_frame &frame()
     {
-        twd_transfer_end(&transfer_); // sets the length; every message of ours fits
+        if (!twd_transfer_end(&transfer_))
+            throw std::logic_error("a request to a chip cannot be written: the protocol knows no such model or size");
         return frame_;
     }
 

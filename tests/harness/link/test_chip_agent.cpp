@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -146,6 +147,16 @@ TEST(ChipAgent, chips_that_do_not_fit_are_refused)
         if (answer.type == (TWD_REQUEST_BEGIN | TWD_ANSWER)) answer.length = 4;
     };
     EXPECT_EQ(complaint(setup(), longer), "the chip answered with a payload of another build than this program's");
+}
+
+// A model that the protocol has no number for is not taken for another.
+TEST(ChipAgent, model_without_a_number_is_refused)
+{
+    const twd_model unknown = twd_model_h;
+    AgentSetup other = setup();
+    other.controller.model = &unknown;
+    const Chip chip;
+    EXPECT_THROW(link::make_chip_agent(chip.connection(), other), std::logic_error);
 }
 
 // What the library on the chip refuses is said in its words.
