@@ -15,7 +15,7 @@ enum twd_error twd_controller_init(struct twd_controller *controller, const stru
     const enum twd_error error = twd_check_config(config);
     if (error != TWD_OK) return error;
 
-    controller->config = *config;
+    if (config != &controller->config) controller->config = *config;
     config = &controller->config;
     /* The check above included this one's. */
     (void)twd_cpg_init_several(&controller->cpg, config->model->topology, config->model->cpgs, &config->oscillators);

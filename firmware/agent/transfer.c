@@ -182,7 +182,7 @@ void twd_transfer_finger(struct twd_transfer *transfer, uint8_t *index, struct t
 /* A size that the library counts in size_t, which is 16 bits wide on the smallest chips. */
 static void size(struct twd_transfer *transfer, size_t *value)
 {
-    *value = small_number(transfer, (uint32_t)*value, UINT16_MAX);
+    *value = (size_t)small_number(transfer, (uint32_t)*value, UINT16_MAX);
 }
 
 void twd_transfer_learner(struct twd_transfer *transfer, struct twd_agent_config *config)

@@ -21,6 +21,7 @@ void add_sweep(CLI::App &app, Session &session);
 void add_calibrate(CLI::App &app, Session &session);
 void add_replay(CLI::App &app, Session &session);
 void add_rollout(CLI::App &app, Session &session);
+void add_export(CLI::App &app, Session &session);
 void add_summarize(CLI::App &app, Session &session);
 void add_compare_claims(CLI::App &app, Session &session);
 void add_info(CLI::App &app, Session &session);

@@ -34,6 +34,7 @@ int run(int argc, char **argv)
     add_calibrate(app, session);
     add_replay(app, session);
     add_rollout(app, session);
+    add_export(app, session);
     add_summarize(app, session);
     add_compare_claims(app, session);
     add_info(app, session);
@@ -45,8 +46,8 @@ int run(int argc, char **argv)
         return complain(std::string(error.what()) + "; see --help", exit_wrong_use);
     }
     if (!session.run)
-        throw UsageError("a command is missing: train, sweep, calibrate, replay, rollout, summarize, compare-claims or "
-                         "info; see --help");
+        throw UsageError("a command is missing: train, sweep, calibrate, replay, rollout, export, summarize, "
+                         "compare-claims or info; see --help");
     const int status = session.run();
     if (!(std::cout << std::flush)) throw std::runtime_error("cannot write to standard output");
     return status;

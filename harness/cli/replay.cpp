@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "errors.hpp"
 #include "executable.hpp"
+#include "learned_policy.hpp"
 #include "options.hpp"
 #include "run_folder.hpp"
 #include "run_replay.hpp"
@@ -41,9 +42,7 @@ void require_elsewhere(const ReplayOptions &options, const RunFolder &folder)
 int replay(const ReplayOptions &options, const std::vector<std::string> &arguments)
 {
     const RunFolder folder{options.run_dir};
-    if (!std::filesystem::exists(folder.run_json()))
-        throw UsageError("'" + options.run_dir + "' is no folder of a run: it holds no run.json");
-    record::Run run = record::read_run(folder.run_json());
+    record::Run run = run_in(folder);
     const record::RunSpecification specification = with_stepper(run.specification, options.stepper);
     require_supported(specification);
     require_elsewhere(options, folder);

@@ -1,13 +1,11 @@
 #include "run_replay.hpp"
 
-#include "errors.hpp"
 #include "experiment/outline.hpp"
 #include "experiment/training.hpp"
+#include "learned_policy.hpp"
 #include "record/number_text.hpp"
-#include "record/policy_json.hpp"
 #include "record/versions.hpp"
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,26 +14,6 @@ namespace twiddle::cli
 
 namespace
 {
-
-experiment::Parameters learned_parameters(const RunFolder &folder, const record::RunSpecification &specification)
-{
-    if (!std::filesystem::exists(folder.policy_json()))
-        throw UsageError("'" + folder.path.string() +
-                         "' holds no policy.json: its training is not complete; finish it by train --resume");
-    const record::Policy policy = record::read_policy(folder.policy_json());
-    const std::vector<std::string> names =
-        experiment::parameter_names(experiment::find_model(specification.model), specification.centre);
-    const std::string sentence = "'" + folder.policy_json().string() + "': 'parameters' must be those of " +
-                                 specification.model + (specification.centre ? "" : " without centre") + ", in order";
-    if (policy.parameters.size() != names.size()) throw std::runtime_error(sentence);
-
-    experiment::Parameters parameters;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (policy.parameters[i].first != names[i]) throw std::runtime_error(sentence);
-        parameters.push_back(twd_num_from_double(policy.parameters[i].second));
-    }
-    return parameters;
-}
 
 std::vector<std::string> head_comments(const record::RunSpecification &specification, const std::string &what,
                                        const std::vector<std::string> &facts)
@@ -56,7 +34,10 @@ std::vector<std::string> head_comments(const record::RunSpecification &specifica
 experiment::Trajectory replay_policy(const RunFolder &folder, const record::RunSpecification &specification,
                                      const std::filesystem::path &models)
 {
-    const experiment::Parameters parameters = learned_parameters(folder, specification);
+    experiment::Parameters parameters;
+    for (const auto &[name, value] : learned_policy(folder, specification).parameters) {
+        parameters.push_back(twd_num_from_double(value));
+    }
     experiment::TrialRunner runner = experiment::make_trial_runner(specification, models);
     return experiment::record_trajectory(runner, parameters);
 }

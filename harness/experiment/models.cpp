@@ -1,5 +1,6 @@
 #include "models.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace twiddle::experiment
@@ -8,7 +9,15 @@ namespace twiddle::experiment
 namespace
 {
 
-constexpr std::array<const twd_model *, 4> models = {&twd_model_s, &twd_model_m, &twd_model_c, &twd_model_h};
+struct KnownModel {
+    const twd_model *model;
+    const char *c_name;
+};
+
+constexpr std::array<KnownModel, 4> models = {{{&twd_model_s, "twd_model_s"},
+                                               {&twd_model_m, "twd_model_m"},
+                                               {&twd_model_c, "twd_model_c"},
+                                               {&twd_model_h, "twd_model_h"}}};
 constexpr std::array<const twd_topology *, expert_count> experts = {&twd_cpg_c, &twd_cpg_m, &twd_cpg_s};
 
 void append_names(std::vector<std::string> &names, const twd_topology &cpg, bool with_centre)
@@ -33,20 +42,28 @@ void append_names(std::vector<std::string> &names, const twd_topology &cpg, bool
 std::vector<std::string> model_names()
 {
     std::vector<std::string> names;
-    for (const twd_model *model : models) {
-        names.emplace_back(model->name);
+    for (const KnownModel &known : models) {
+        names.emplace_back(known.model->name);
     }
     return names;
 }
 
 const twd_model &find_model(const std::string &name)
 {
-    std::string known;
-    for (const twd_model *model : models) {
-        if (name == model->name) return *model;
-        known += known.empty() ? model->name : std::string(", ") + model->name;
+    std::string names;
+    for (const KnownModel &known : models) {
+        if (name == known.model->name) return *known.model;
+        names += (names.empty() ? "" : ", ") + std::string(known.model->name);
     }
-    throw std::invalid_argument("unknown model '" + name + "'; the models are " + known);
+    throw std::invalid_argument("unknown model '" + name + "'; the models are " + names);
+}
+
+std::string c_name(const twd_model &model)
+{
+    const auto known =
+        std::find_if(models.begin(), models.end(), [&](const KnownModel &each) { return each.model == &model; });
+    if (known == models.end()) throw std::invalid_argument("a model that is none of the list has no name in C");
+    return known->c_name;
 }
 
 std::vector<std::string> parameter_names(const twd_model &model, bool with_centre)

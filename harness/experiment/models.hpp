@@ -19,6 +19,9 @@ std::vector<std::string> model_names();
 // Throws std::invalid_argument that lists the known names.
 const twd_model &find_model(const std::string &name);
 
+// What the library calls one of these models, e.g. "twd_model_h".
+std::string c_name(const twd_model &model);
+
 // One name a parameter, in the order of model.h: "cpg-c.frequency", "cpg-c.amplitude-1", "cpg-c.centre-1",
 // "cpg-c.phase-lag-1-2", "selector.cpg-c". Oscillators count from 1.
 std::vector<std::string> parameter_names(const twd_model &model, bool with_centre);

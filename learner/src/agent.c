@@ -50,6 +50,31 @@ enum twd_error twd_agent_init(struct twd_agent *agent, const struct twd_agent_co
     return TWD_OK;
 }
 
+static bool is_all_zero(const struct twd_random *random)
+{
+    return (random->state[0] | random->state[1] | random->state[2] | random->state[3]) == 0;
+}
+
+enum twd_error twd_agent_restore(struct twd_agent *agent, const struct twd_agent_snapshot *snapshot)
+{
+    if (!snapshot->actor_weight || !snapshot->critic_weight || !snapshot->input) return TWD_ERROR_NULL;
+    if (is_all_zero(&snapshot->random)) return TWD_ERROR_RANGE;
+    const enum twd_error error = twd_agent_init(agent, &snapshot->config);
+    if (error != TWD_OK) return error;
+
+    const twd_num *weight = snapshot->actor_weight;
+    for (size_t j = 0; j < agent->config.units; j++)
+        for (size_t i = 0; i < agent->config.inputs; i++)
+            agent->actor.weight[j][i] = *weight++;
+    for (size_t i = 0; i < agent->config.inputs; i++) {
+        agent->critic.weight[i] = snapshot->critic_weight[i];
+        agent->input[i] = snapshot->input[i];
+    }
+    agent->random = snapshot->random;
+    agent->trial = snapshot->trial;
+    return TWD_OK;
+}
+
 void twd_agent_act(struct twd_agent *agent, const twd_num *input, twd_num *parameter)
 {
     for (size_t i = 0; i < agent->config.inputs; i++)

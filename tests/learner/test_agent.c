@@ -185,6 +185,72 @@ static void same_seed_gives_the_same_bytes(void **state)
     assert_int_not_equal(run(42), one);
 }
 
+enum { RESTORED_UNITS = 4, RESTORED_INPUTS = 6, RESTORED_TRIALS = 30 };
+
+/* A checksum of what the coming trials explore and of what they leave. */
+static uint32_t go_on(const twd_num *input)
+{
+    twd_num parameter[RESTORED_UNITS];
+    uint32_t sum = 0;
+    for (int trial = 0; trial < RESTORED_TRIALS; trial++) {
+        twd_agent_act(&agent, input, parameter);
+        sum = sum * 31U + checksum(parameter, sizeof parameter);
+        (void)twd_agent_learn(&agent, twd_wide_of_num(parameter[0] - parameter[1]));
+    }
+    return sum * 31U + checksum(&agent, sizeof agent);
+}
+
+/* An agent made of what another has come to goes on as that one did, to the byte: here half way through the noise's decay. */
+static void restored_agent_goes_on_as_the_one_it_was(void **state)
+{
+    static const twd_num input[RESTORED_INPUTS] = {TWD_NUM(1),  TWD_NUM(0.5), TWD_NUM(0),
+                                                   TWD_NUM(-1), TWD_NUM(0),   TWD_NUM(2)};
+    static twd_num actor_weight[RESTORED_UNITS][RESTORED_INPUTS];
+    static twd_wide critic_weight[RESTORED_INPUTS];
+    struct twd_agent_config config = paper_config(RESTORED_UNITS, RESTORED_INPUTS, 71);
+    config.noise.trials = 4 * RESTORED_TRIALS;
+    (void)state;
+    memset(&agent, 0, sizeof agent); /* padding counts as well */
+    assert_int_equal(twd_agent_init(&agent, &config), TWD_OK);
+    (void)go_on(input);
+    for (int j = 0; j < RESTORED_UNITS; j++)
+        memcpy(actor_weight[j], agent.actor.weight[j], sizeof actor_weight[j]);
+    memcpy(critic_weight, agent.critic.weight, sizeof critic_weight);
+    const struct twd_agent_snapshot snapshot = {config,          agent.random,  agent.trial,
+                                                actor_weight[0], critic_weight, input};
+    const uint32_t expected = go_on(input);
+
+    memset(&agent, 0, sizeof agent);
+    assert_int_equal(twd_agent_restore(&agent, &snapshot), TWD_OK);
+    assert_int_equal(agent.trial, RESTORED_TRIALS);
+    assert_int_equal(go_on(agent.input), expected);
+}
+
+/* Tables that are missing, a generator that would give 0 for ever, and what init refuses: the agent stays as it was. */
+static void restore_errors_leave_the_agent_as_it_was(void **state)
+{
+    static const twd_num numbers[1] = {TWD_NUM(0.5)};
+    static const twd_wide value[1] = {TWD_WIDE(0.5)};
+    const struct twd_agent_snapshot good = {paper_config(1, 1, 1), {{0, 0, 0, 1}}, 10, numbers, value, numbers};
+    (void)state;
+    mark(&agent, sizeof agent);
+#define REFUSED(field, value, error)                                                                                   \
+    do {                                                                                                               \
+        struct twd_agent_snapshot wrong = good;                                                                        \
+        wrong.field = (value);                                                                                         \
+        assert_int_equal(twd_agent_restore(&agent, &wrong), (error));                                                  \
+    } while (0)
+    REFUSED(actor_weight, NULL, TWD_ERROR_NULL);
+    REFUSED(critic_weight, NULL, TWD_ERROR_NULL);
+    REFUSED(input, NULL, TWD_ERROR_NULL);
+    REFUSED(random.state[3], 0, TWD_ERROR_RANGE);
+    REFUSED(config.units, TWD_MAX_UNITS + 1, TWD_ERROR_LEARNER_SIZE);
+    REFUSED(config.clip, TWD_NUM(0.5), TWD_ERROR_RANGE);
+#undef REFUSED
+    assert_marked(&agent, sizeof agent);
+    assert_int_equal(twd_agent_restore(&agent, &good), TWD_OK);
+}
+
 /* A reward that is not a number or is infinite counts as 0: the TD error is minus the estimate, and every weight stays a number. */
 static void a_reward_that_is_not_finite_counts_as_zero(void **state)
 {
@@ -318,6 +384,8 @@ int main(void)
         cmocka_unit_test(draws_come_in_the_stated_order),
         cmocka_unit_test(policy_is_noise_free_and_changes_nothing),
         cmocka_unit_test(same_seed_gives_the_same_bytes),
+        cmocka_unit_test(restored_agent_goes_on_as_the_one_it_was),
+        cmocka_unit_test(restore_errors_leave_the_agent_as_it_was),
         cmocka_unit_test(a_reward_that_is_not_finite_counts_as_zero),
         cmocka_unit_test(huge_rewards_leave_the_parameters_in_their_range),
         cmocka_unit_test(unit_counts_are_the_papers),

@@ -77,7 +77,8 @@ struct twd_controller {
     struct twd_saturations saturations;
 };
 
-/* Prepare `controller`. Errors name what does not hold together in `config`. */
+/* Prepare `controller`. `config` may be the controller's own, filled in place. Errors name what does not hold together in
+ * `config`. */
 enum twd_error twd_controller_init(struct twd_controller *controller, const struct twd_controller_config *config);
 
 /* Start a trial with `count` parameters in [0, 1] (order: model.h). On an error the controller is as it was. */

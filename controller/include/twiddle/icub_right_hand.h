@@ -6,7 +6,7 @@
 #define TWIDDLE_ICUB_RIGHT_HAND_H
 
 #include <twiddle/gravity.h>
-#include <twiddle/number.h>
+#include <twiddle/joint_range.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -19,12 +19,6 @@ enum twd_icub_joint {
     TWD_ICUB_FET = 2, /* flexion/extension of the thumb: thumb_1 */
     TWD_ICUB_OT = 3,  /* opposition of the thumb: thumb_0 */
     TWD_ICUB_JOINTS = 4
-};
-
-/* A joint's range. */
-struct twd_joint_range {
-    twd_num lower_rad;
-    twd_num upper_rad;
 };
 
 extern const struct twd_joint_range twd_icub_joint_range[TWD_ICUB_JOINTS];

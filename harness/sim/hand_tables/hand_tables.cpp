@@ -1,9 +1,8 @@
 #include "hand_tables.hpp"
 
+#include "record/c_text.hpp"
 #include "sim/joints.hpp"
 
-#include <charconv>
-#include <cmath>
 #include <stdexcept>
 
 namespace twiddle::sim
@@ -13,14 +12,9 @@ namespace
 
 constexpr int chain_joints = 4;
 
-// The shortest decimal that reads back as `value`, and its word in Q4.28 where it has one.
 std::string number(double value)
 {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    const std::string decimal(text, end);
-    if (value == std::trunc(value)) return "TWD_NUM(" + decimal + ")";
-    return "TWD_NUM_CONSTANT(" + decimal + ", " + std::to_string(std::lround(value * 268435456.0)) + ")";
+    return record::c_constant(record::CType::num, value);
 }
 
 std::string row(const btVector3 &values)

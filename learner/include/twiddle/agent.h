@@ -1,4 +1,5 @@
-/* agent.h: the actor-critic learner of one run: act at a trial's start, learn from its reward at its end.
+/* agent.h: the actor-critic learner of one run: act at a trial's start, learn from its reward at its end. It can be
+ * made anew, or from constants that an earlier one left.
  *
  * It knows inputs, parameters in (0, 1) and rewards; neither joints nor objects. The same seed and the same
  * rewards give the same parameters. */
@@ -52,8 +53,22 @@ struct twd_agent {
     uint32_t trial;                /* trials learned from so far */
 };
 
+/* What an agent has come to, as constants: const, in flash. Pointers refer to arrays as long as `config` says. */
+struct twd_agent_snapshot {
+    struct twd_agent_config config;
+    struct twd_random random;
+    uint32_t trial;                /* trials learned from so far */
+    const twd_num *actor_weight;   /* [units][inputs], unit by unit */
+    const twd_wide *critic_weight; /* [inputs] */
+    const twd_num *input;          /* [inputs] what the trials acted on: for twd_agent_act and twd_agent_policy */
+};
+
 /* Make an untrained agent. Draws: the weights unit by unit. Errors: sizes beyond the arrays, a field outside its range. */
 enum twd_error twd_agent_init(struct twd_agent *agent, const struct twd_agent_config *config);
+
+/* Make the agent that `snapshot` was taken of: the next trial is what it would have been there. Errors: those of init, a null
+ * table, an all-zero random state. */
+enum twd_error twd_agent_restore(struct twd_agent *agent, const struct twd_agent_snapshot *snapshot);
 
 /* Start a trial on `input`, [inputs]: writes the explored parameters, [units]. */
 void twd_agent_act(struct twd_agent *agent, const twd_num *input, twd_num *parameter);

@@ -38,9 +38,13 @@ typedef int32_t twd_small;
 #if defined(TWD_STRICT_TYPES)
 #define TWD_NUM_CONSTANT(value, word) (twd_strict::checked(TWD_NUM(value), word))
 #define TWD_WIDE_CONSTANT(value, word) (twd_strict::checked(TWD_WIDE(value), word))
+#define TWD_RATE_CONSTANT(value, word) (twd_strict::checked(TWD_RATE(value), word))
+#define TWD_SMALL_CONSTANT(value, word) (twd_strict::checked(TWD_SMALL(value), word))
 #else
 #define TWD_NUM_CONSTANT(value, word) ((twd_num)(word))
 #define TWD_WIDE_CONSTANT(value, word) ((twd_wide)(word))
+#define TWD_RATE_CONSTANT(value, word) ((twd_rate)(word))
+#define TWD_SMALL_CONSTANT(value, word) ((twd_small)(word))
 #endif
 
 /* The largest product of a filter's rate and the tick (fixed/filter.h), and the largest sum of the moments of a finger's

@@ -26,6 +26,8 @@ typedef twd_num twd_small;
 /* A constant with more than 24 significant bits; `word` is for the fixed build. */
 #define TWD_NUM_CONSTANT(value, word) TWD_NUM(value)
 #define TWD_WIDE_CONSTANT(value, word) TWD_WIDE(value)
+#define TWD_RATE_CONSTANT(value, word) TWD_RATE(value)
+#define TWD_SMALL_CONSTANT(value, word) TWD_SMALL(value)
 
 /* The set-up refuses, and the tick counts, what is larger, in whatever unit; so no product of two overflows to infinity, and no
  * difference of such products fails to be a number. */

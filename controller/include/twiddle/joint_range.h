@@ -1,0 +1,13 @@
+/* joint_range.h: how far a joint turns. */
+#ifndef TWIDDLE_JOINT_RANGE_H
+#define TWIDDLE_JOINT_RANGE_H
+
+#include <twiddle/number.h>
+
+/* Both in [-pi, pi]. */
+struct twd_joint_range {
+    twd_num lower_rad;
+    twd_num upper_rad; /* > lower_rad */
+};
+
+#endif
