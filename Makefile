@@ -11,7 +11,7 @@ PEERS_SETS ?= 200
 PREFIX ?= /usr/local
 
 .DEFAULT_GOAL := help
-.PHONY: help run test bench bench-peers bench-firmware performance plots hand-tables example-policy firmware
+.PHONY: help run test accuracy bench bench-peers bench-firmware performance plots hand-tables example-policy firmware
 .PHONY: deps peers build sanitize format lint lint-format lint-tidy install clean gnuplot
 
 help: ## print this list
@@ -27,8 +27,13 @@ run: build gnuplot ## train CPG-H on the small sphere, replay what it learned, a
 	$(TWIDDLE) replay $(DEMO)
 	plots/draw-run $(DEMO)
 
-test: build peers ## run all tests
+test: build peers firmware ## run all tests, on the emulated boards too
+	@rm -rf $(BUILD)/golden
 	ctest --preset host --parallel $$(nproc)
+	@cat $(BUILD)/golden/*.txt
+
+accuracy: build ## measure how far the float and the fixed build are from double, as a table
+	$(BUILD)/bin/compare_accuracy $(addprefix $(BUILD)/bin/,record_accuracy_double record_accuracy record_accuracy_fixed)
 
 bench: build ## measure the speed of the full loop and of the controller's tick
 	$(BUILD)/bin/bench_control

@@ -67,9 +67,9 @@ BENCHMARK(controller_tick);
 void controller_torque(benchmark::State &state)
 {
     twd_controller controller = controller_of_h();
-    const std::array<twd_num, TWD_MAX_JOINTS> desired_rad = {twd_num(0.7), twd_num(0.1), twd_num(0.8), twd_num(1.1)};
-    std::array<twd_num, TWD_MAX_JOINTS> angle_rad = {twd_num(0.6), twd_num(0.0), twd_num(0.9), twd_num(1.2)};
-    const std::array<twd_num, TWD_MAX_JOINTS> velocity_rad_s = {twd_num(1), twd_num(-1), twd_num(2), twd_num(-2)};
+    const std::array<twd_num, TWD_MAX_JOINTS> desired_rad = {TWD_NUM(0.7), TWD_NUM(0.1), TWD_NUM(0.8), TWD_NUM(1.1)};
+    std::array<twd_num, TWD_MAX_JOINTS> angle_rad = {TWD_NUM(0.6), TWD_NUM(0.0), TWD_NUM(0.9), TWD_NUM(1.2)};
+    const std::array<twd_rate, TWD_MAX_JOINTS> velocity_rad_s = {TWD_RATE(1), TWD_RATE(-1), TWD_RATE(2), TWD_RATE(-2)};
     std::array<twd_num, TWD_MAX_JOINTS> torque_nm{};
     while (state.KeepRunning()) {
         benchmark::DoNotOptimize(angle_rad); // as if measured anew
@@ -92,7 +92,7 @@ void learner_act_and_learn(benchmark::State &state)
     Parameters parameters(config.units);
     while (state.KeepRunning()) {
         twd_agent_act(&agent, input.data(), parameters.data());
-        benchmark::DoNotOptimize(twd_agent_learn(&agent, parameters.front()));
+        benchmark::DoNotOptimize(twd_agent_learn(&agent, twd_wide_of_num(parameters.front())));
     }
     state.SetItemsProcessed(state.iterations());
 }

@@ -74,8 +74,9 @@ void print_desired(const Options &options)
         for (int step = 0; step < trial_steps; ++step) {
             std::array<twd_num, TWD_MAX_JOINTS> desired_rad{};
             twd_controller_tick(&controller, desired_rad.data());
-            std::printf("%.17g,%.17g,%.17g,%.17g\n", double(desired_rad[sim::fei]), double(desired_rad[sim::aai]),
-                        double(desired_rad[sim::fet]), double(desired_rad[sim::ot]));
+            std::printf("%.17g,%.17g,%.17g,%.17g\n", twd_num_to_double(desired_rad[sim::fei]),
+                        twd_num_to_double(desired_rad[sim::aai]), twd_num_to_double(desired_rad[sim::fet]),
+                        twd_num_to_double(desired_rad[sim::ot]));
         }
     }
 }

@@ -17,9 +17,9 @@ experiment::Parameters random_posture(std::mt19937 &random)
 {
     std::uniform_real_distribution<double> uniform(0, 1);
     // Order: nu, R1..4, C1..4 (FEI, AAI, FET, OT), three lags.
-    experiment::Parameters values(twd_model_parameters(&twd_model_c, true), 0);
+    experiment::Parameters values(twd_model_parameters(&twd_model_c, true), TWD_NUM(0));
     for (std::size_t centre = 5; centre < 9; ++centre)
-        values.at(centre) = static_cast<twd_num>(uniform(random));
+        values.at(centre) = twd_num_from_double(uniform(random));
     return values;
 }
 

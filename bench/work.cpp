@@ -25,7 +25,7 @@ std::vector<experiment::Parameters> random_parameters(const twd_model &model, st
     std::uniform_real_distribution<double> uniform(0.001, 0.999);
     std::vector<experiment::Parameters> drawn(sets, experiment::Parameters(twd_model_parameters(&model, true)));
     for (experiment::Parameters &set : drawn)
-        std::generate(set.begin(), set.end(), [&] { return static_cast<twd_num>(uniform(random)); });
+        std::generate(set.begin(), set.end(), [&] { return twd_num_from_double(uniform(random)); });
     return drawn;
 }
 

@@ -20,6 +20,12 @@ static inline struct twd_oscillator *at_offset(struct twd_cpg *cpg, uint16_t off
     return (struct twd_oscillator *)(void *)((unsigned char *)cpg->oscillator + offset);
 }
 
+static inline const struct twd_running_coupling *end_of_couplings(const struct twd_cpg *cpg)
+{
+    const void *const end = (const unsigned char *)cpg->coupling + cpg->couplings_end;
+    return (const struct twd_running_coupling *)end;
+}
+
 /* Append a network; what it holds has been checked. */
 static void append(struct twd_cpg *cpg, const struct twd_topology *topology)
 {
@@ -30,6 +36,8 @@ static void append(struct twd_cpg *cpg, const struct twd_topology *topology)
         coupling->second = offset_of(cpg->oscillators + topology->coupling[k].second);
     }
     cpg->oscillators = (uint8_t)(cpg->oscillators + topology->oscillators);
+    cpg->oscillators_end = offset_of(cpg->oscillators);
+    cpg->couplings_end = (uint16_t)(cpg->couplings * sizeof cpg->coupling[0]);
 }
 
 enum twd_error twd_cpg_init_several(struct twd_cpg *cpg, const struct twd_topology *const *topology, size_t networks,
@@ -159,7 +167,7 @@ void twd_cpg_phases_at_lag(const struct twd_topology *topology, const twd_phase 
 /* Add what the couplings pull, with phi_ji = -phi_ij: the sine of the second direction is the negative of the first. */
 static void pull_with_negated_return(struct twd_cpg *cpg)
 {
-    const struct twd_running_coupling *const end = &cpg->coupling[cpg->couplings];
+    const struct twd_running_coupling *const end = end_of_couplings(cpg);
     for (const struct twd_running_coupling *coupling = cpg->coupling; coupling < end; coupling++) {
         struct twd_oscillator *const first = at_offset(cpg, coupling->first);
         struct twd_oscillator *const second = at_offset(cpg, coupling->second);
@@ -172,7 +180,7 @@ static void pull_with_negated_return(struct twd_cpg *cpg)
 /* The same with phi_ji = phi_ij. */
 static void pull_with_equal_return(struct twd_cpg *cpg)
 {
-    const struct twd_running_coupling *const end = &cpg->coupling[cpg->couplings];
+    const struct twd_running_coupling *const end = end_of_couplings(cpg);
     for (const struct twd_running_coupling *coupling = cpg->coupling; coupling < end; coupling++) {
         struct twd_oscillator *const first = at_offset(cpg, coupling->first);
         struct twd_oscillator *const second = at_offset(cpg, coupling->second);
@@ -202,24 +210,25 @@ static inline void advance_phase_and_amplitude(struct twd_oscillator *oscillator
 
 void twd_cpg_tick(struct twd_cpg *cpg)
 {
-    if (cpg->config.return_lag == TWD_RETURN_LAG_EQUAL)
+    if (cpg->config.return_lag != TWD_RETURN_LAG_NEGATED)
         pull_with_equal_return(cpg);
     else
         pull_with_negated_return(cpg);
 
     const struct pace pace = {cpg->amplitude_step, cpg->centre_step, cpg->turn_gain, cpg->intrinsic_advance};
-    struct twd_oscillator *const end = &cpg->oscillator[cpg->oscillators];
+    struct twd_oscillator *oscillator = cpg->oscillator; /* there is at least one */
+    struct twd_oscillator *const end = at_offset(cpg, cpg->oscillators_end);
     if (cpg->config.with_centre) {
-        for (struct twd_oscillator *oscillator = cpg->oscillator; oscillator < end; oscillator++) {
+        do {
             advance_phase_and_amplitude(oscillator, &pace);
             twd_filter_advance(&oscillator->centre, &pace.centre_step, oscillator->centre_target);
             find_output_with_centre(oscillator);
-        }
+        } while (++oscillator < end);
     } else {
-        for (struct twd_oscillator *oscillator = cpg->oscillator; oscillator < end; oscillator++) {
+        do {
             advance_phase_and_amplitude(oscillator, &pace);
             find_output_without_centre(oscillator);
-        }
+        } while (++oscillator < end);
     }
 }
 

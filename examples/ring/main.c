@@ -2,6 +2,7 @@
  *
  * The network is the const table below; twiddle's sources know nothing of it. Prints 3 s of the six outputs, fractions
  * of each leg's range, as CSV. */
+#include <twiddle/convert.h>
 #include <twiddle/cpg.h>
 #include <twiddle/phase.h>
 
@@ -30,9 +31,9 @@ int main(void)
 {
     const struct twd_cpg_config config = {
         .with_centre = true,
-        .tick_s = TWD_NUM(0.01),
-        .amplitude_rate_per_s = TWD_NUM(20),
-        .centre_rate_per_s = TWD_NUM(20),
+        .tick_s = TWD_SMALL(0.01),
+        .amplitude_rate_per_s = TWD_RATE(20),
+        .centre_rate_per_s = TWD_RATE(20),
     };
     struct twd_cpg cpg;
     const enum twd_error error = twd_cpg_init(&cpg, &legs, &config);
@@ -57,7 +58,7 @@ int main(void)
         twd_cpg_tick(&cpg);
         printf("%.2f", 0.01 * tick);
         for (uint8_t leg = 0; leg < LEGS; leg++)
-            printf(",%.6f", (double)twd_cpg_output(&cpg, leg));
+            printf(",%.6f", twd_num_to_double(twd_cpg_output(&cpg, leg)));
         putchar('\n');
     }
     return 0;

@@ -1,8 +1,9 @@
-/* control.c: the whole of twiddle on one chip. The learner proposes parameters, the controller moves a hand for a trial, the
- * learner learns from the reward; at the two rates of a real hand. `make firmware` measures this image.
+/* control.c: the whole of twiddle on one chip. The learner proposes parameters, the controller moves a hand for a
+ * trial, the learner learns from the reward; at the two rates of a real hand. `make firmware` measures this image.
  *
  * In the place of motors and sensors stands the simplest hand there is: joints of no mass in a thick fluid, which move
- * as far as they are pushed, and sensors that know angles only. The reward is the way that the index finger's flexion covers. */
+ * as far as they are pushed, and sensors that know angles only. The reward is the way that the index finger's flexion
+ * covers. */
 #include "board.h"
 #include "icub_setup.h"
 

@@ -7,8 +7,8 @@ import subprocess
 
 from instructions import CALL, INSTRUCTION_SETS, JUMP
 
-# `target` is the address that it names, or None; `pushed` the bytes that it puts on the stack, or None if it does not say;
-# `next` the address of what stands behind it, None if that is no code.
+# `target` is the address that it names, or None; `pushed` the bytes that it puts on the stack, or None if it does not
+# say; `next` the address of what stands behind it, None if that is no code.
 Instruction = collections.namedtuple("Instruction", "kind target pushed next")
 
 
@@ -73,7 +73,7 @@ class Code:
 
 
 def read_symbols(table):
-    """{address: [(source of a local symbol or None, name)]} from objdump -t, in which local symbols follow their source."""
+    """{address: [(source of a local symbol or None, name)]} from objdump -t, where local symbols follow the source."""
     symbols, source = {}, None
     for line in table.splitlines():
         found = re.match(r"([0-9a-f]+) (.{7}) (\S+)\s+[0-9a-f]+ +(?:\.hidden )?(\S+)$", line)

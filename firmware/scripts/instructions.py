@@ -1,8 +1,9 @@
 """What the instructions of Thumb, RISC-V and AVR do to control flow and to the stack, as objdump prints them.
 
-Each class has kind(name, operands, target), where `target` is the address that the instruction names or None, and pushed(name,
-operands): the bytes that it puts on the stack, negative if it takes some off, None if it does not say how many. Of the
-return address `return_address` bytes are on the stack. With `far_jumps` a call to the inside of its own function is a jump.
+Each class has kind(name, operands, target), where `target` is the address that the instruction names or None, and
+pushed(name, operands): the bytes that it puts on the stack, negative if it takes some off, None if it does not say how
+many. Of the return address `return_address` bytes are on the stack. With `far_jumps` a call to the inside of its own
+function is a jump.
 """
 
 import re
@@ -12,7 +13,7 @@ OTHER, CALL, JUMP, BRANCH, SKIP, RETURN, CALL_BY_POINTER, JUMP_BY_POINTER, TABLE
 
 
 class Thumb:
-    """Cortex-M. A call leaves the return address in a register. Thumb-1 has no other jump that reaches as far as `bl`."""
+    """Cortex-M. A call leaves the return address in a register. In Thumb-1 no jump reaches as far as `bl`."""
 
     return_address = 0
     far_jumps = True
@@ -72,7 +73,8 @@ class RiscV:
             return CALL if name == "jal" else JUMP
         if name == "jalr":
             return CALL if target is not None else CALL_BY_POINTER
-        if name in ("ret", "unimp") or (name == "jr" and operands in ("ra", "t0")):  # t0: of the helpers that save registers
+        # t0 is the return address of the helpers that save registers.
+        if name in ("ret", "unimp") or (name == "jr" and operands in ("ra", "t0")):
             return RETURN
         if name == "jr":
             return JUMP if target is not None else JUMP_BY_POINTER

@@ -1,11 +1,12 @@
-#!/usr/bin/env python3
+#!/usr/bin/env -S python3 -B
 """What twiddle costs on each board: a Markdown table from the folders of firmware builds (`make firmware`).
 
-The image is `control`: learner, controller and a toy hand. Flash is what is stored: code, constants, first values of variables.
-RAM is static: variables, without the stack; on AVR with the constants, which GCC keeps there. Library is the
-whole of both archives, used or not. Stacks are the worst of stack_usage.py.
+The image is `control`: learner, controller and a toy hand. Flash is what is stored: code, constants, first values of
+variables. RAM is static: variables, without the stack; on AVR with the constants, which GCC keeps there. Library is the
+whole of both archives, used or not. Stacks are the worst, by stack_usage.py.
 """
 
+import glob
 import json
 import os
 import re
@@ -40,17 +41,24 @@ def stack(usage, function):
         raise ValueError(f"the stack of {function} has no bound: {reason}") from None
 
 
-def rows(folder):
-    with open(os.path.join(folder, "firmware.json"), encoding="utf-8") as file:
+def row(description):
+    """The cells of the image that a file made by firmware/image.json.in describes."""
+    with open(description, encoding="utf-8") as file:
         build = json.load(file)
     objdump = build["objdump"]
-    for image in build["images"]:
-        flash, ram = memory(objdump, image["image"])
-        parts = [memory(objdump, archive) for archive in image["archives"]]
-        usage = StackUsage(objdump, image["frames"], image["image"])
-        yield [build["board"], build["core"], image["number"], build["optimisation"], str(flash), str(ram),
-               str(sum(part[0] for part in parts)), str(sum(part[1] for part in parts)),
-               *(stack(usage, function) for function in STACKS.values())]
+    flash, ram = memory(objdump, build["image"])
+    parts = [memory(objdump, archive) for archive in build["archives"]]
+    usage = StackUsage(objdump, build["frames"], build["image"])
+    return [build["board"], build["core"], build["number"], build["optimisation"], str(flash), str(ram),
+            str(sum(part[0] for part in parts)), str(sum(part[1] for part in parts)),
+            *(stack(usage, function) for function in STACKS.values())]
+
+
+def rows(folder):
+    descriptions = sorted(glob.glob(os.path.join(folder, "bin", "control*.json")))
+    if not descriptions:
+        raise ValueError("holds no image control; expected the build folder of a firmware preset")
+    return [row(description) for description in descriptions]
 
 
 def print_table(table):

@@ -1,13 +1,14 @@
-#!/usr/bin/env python3
+#!/usr/bin/env -S python3 -B
 """Worst stack of functions of a firmware image, in bytes.
 
-What a function needs for itself is the compiler's word (-fstack-usage, .su files) or, for functions that came without one (the C
-library's and libgcc's), what it pushes on its way through its disassembly. Who calls whom is read from the
+What a function needs for itself is the compiler's word (-fstack-usage, .su files) or, for functions that came without
+one (the C library's and libgcc's), what it pushes on its way through its disassembly. Who calls whom is read from the
 disassembly of the linked image. A stack that has no bound is printed as `unknown`, with the reason: recursion, a call
 through a pointer, a frame of variable size. Interrupts come on top, wherever they strike.
 """
 
 import argparse
+import json
 import os
 import re
 import sys
@@ -99,9 +100,10 @@ class StackUsage:
         depths, ways = {}, [(entry, self.base)]
         while ways:
             address, depth = ways.pop()
-            if address is None or depths.get(address, -1) >= depth or address not in self.code.instructions:
+            if address not in self.code.instructions or depths.get(address, -1) >= depth:
                 continue
-            own = self.code.start(address) == start if compiled is not None else self.code.start(address) not in self.frames
+            symbol = self.code.start(address)
+            own = symbol == start if compiled is not None else symbol not in self.frames
             if not own:  # a tail call, where nothing of the own frame is left
                 below = 0 if depth == self.base else max(depth, compiled or 0)
                 callees[address] = max(callees.get(address, 0), below)
@@ -114,7 +116,7 @@ class StackUsage:
                 callees[instruction.target] = max(callees.get(instruction.target, 0), depth, compiled or 0)
             if self.jumps_by_table(instruction):  # to any place of the function
                 ways += [(place, depth) for place in self.code.symbol_of(address) if place not in depths]
-            ways += [(following, depth) for following in self.following(instruction)]
+            ways += [(place, depth) for place in self.following(instruction, start if compiled is not None else None)]
         return frame, callees
 
     def jumps_by_table(self, instruction):
@@ -135,30 +137,37 @@ class StackUsage:
             raise Unbounded(f"{name} pushes in a loop")
         return depth
 
-    def following(self, instruction):
-        """Where the processor goes from here, as far as the instruction says so."""
-        kind = instruction.kind
+    def following(self, instruction, symbol):
+        """Where the processor goes from here, as far as the instruction says so. `symbol` is the address of a compiled
+        function, or None: what seems to run on behind its end is a call that does not return."""
+        kind, behind = instruction.kind, instruction.next
         if kind in (RETURN, TABLE_JUMP, JUMP_BY_POINTER):
             return []
         if kind == JUMP:
             return [instruction.target]
+        if symbol is not None and behind is not None and self.code.start(behind) != symbol:
+            behind = None
         if kind == BRANCH:
-            return [instruction.next, instruction.target]
-        if kind == SKIP and instruction.next is not None:
-            return [instruction.next, self.code.instructions[instruction.next].next]
-        return [instruction.next]
+            return [behind, instruction.target]
+        if kind == SKIP and behind is not None:
+            return [behind, self.code.instructions[behind].next]
+        return [behind]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--objdump", required=True, help="of the image's toolchain, e.g. avr-objdump")
-    parser.add_argument("--frames", action="append", required=True, help="folder with .su files of the image's objects")
-    parser.add_argument("image", help="the linked image, an ELF file")
+    parser.add_argument("--objdump", default="objdump", help="of the image's toolchain, e.g. avr-objdump")
+    parser.add_argument("--frames", action="append", default=[], help="folder with .su files of the image's objects")
+    parser.add_argument("image", help="the linked image, an ELF file; or the .json beside it, which says the rest")
     parser.add_argument("function", nargs="+")
     options = parser.parse_args()
     failed = False
     try:
-        usage = StackUsage(options.objdump, options.frames, options.image)
+        build = vars(options)
+        if options.image.endswith(".json"):
+            with open(options.image, encoding="utf-8") as file:
+                build = json.load(file)
+        usage = StackUsage(build["objdump"], build["frames"], build["image"])
         for function in options.function:
             try:
                 size, path = usage.of(function)

@@ -1,4 +1,5 @@
-/* icub_setup.h: controller and learner of the iCub hand for CPG-H with centre, as the set-up `paper` (models/setups) makes them.
+/* icub_setup.h: controller and learner of the iCub hand for CPG-H with centre, as the set-up `paper` (models/setups)
+ * makes them.
  *
  * A board reads no TOML, so the values are constants here; a test holds them to the set-up's files. */
 #ifndef TWIDDLE_FIRMWARE_ICUB_SETUP_H
@@ -11,7 +12,8 @@
 /* Parameters of a trial. */
 enum { ICUB_PARAMETERS = 22 };
 
-/* Write the controller's configuration. Returns the first error of the library, whose constants then do not fit its build. */
+/* Write the controller's configuration. Returns the first error of the library, whose constants then do not fit its
+ * build. */
 enum twd_error icub_controller_config(struct twd_controller_config *config);
 
 /* The learner's configuration for a training of `trials` trials. */

@@ -1,5 +1,5 @@
-/* The board's interface by semihosting, the calls that a debugger or emulator answers: "Semihosting for AArch32 and AArch64",
- * Arm, and "RISC-V Semihosting". */
+/* The board's interface by semihosting, the calls that a debugger or emulator answers: "Semihosting for AArch32 and
+ * AArch64", Arm, and "RISC-V Semihosting". */
 #include "board.h"
 
 #include "semihosting.h"

@@ -27,6 +27,7 @@ struct CMUnitTest {
 #define assert_true(condition) test_require((condition) ? 1 : 0, "the condition is false", __FILE__, __LINE__)
 #define assert_non_null(pointer) test_require((pointer) != NULL, "the pointer is null", __FILE__, __LINE__)
 #define assert_int_equal(a, b) test_require_equal((int64_t)(a), (int64_t)(b), __FILE__, __LINE__)
+#define assert_int_not_equal(a, b) test_require((a) != (b), "the integers agree", __FILE__, __LINE__)
 #define assert_in_range(value, minimum, maximum)                                                                       \
     test_require((value) >= (minimum) && (value) <= (maximum), "out of range", __FILE__, __LINE__)
 #define assert_memory_equal(a, b, size) test_require(memcmp(a, b, size) == 0, "bytes differ", __FILE__, __LINE__)

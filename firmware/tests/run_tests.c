@@ -1,5 +1,5 @@
-/* The test programs of an image, one after another. The build names them: TEST_PROGRAMS is a list of PROGRAM(name), and each
- * program's main is name_main. */
+/* The test programs of an image, one after another. The build names them: TEST_PROGRAMS is a list of PROGRAM(name), and
+ * each program's main is name_main. */
 #include "board.h"
 
 #include <cmocka.h>

@@ -1,5 +1,5 @@
-/* stack_mark.c: how deep the stack of the image `control` really grows. Fills the free memory with a pattern, runs control's
- * main, and looks how much of the pattern is left. Prints one line: `stack N`, in bytes. */
+/* stack_mark.c: how deep the stack of the image `control` really grows. Fills the free memory with a pattern, runs
+ * control's main, and looks how much of the pattern is left. Prints one line: `stack N`, in bytes. */
 #define main control_main
 #include "../examples/control.c"
 #undef main

@@ -4,7 +4,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
 
 #include <unistd.h>
@@ -35,11 +34,16 @@ std::string own_number()
     return TWD_NUMBER_NAME;
 }
 
+std::filesystem::path own_folder()
+{
+    return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
+
 void hand_over(const std::string &number, const std::vector<std::string> &arguments)
 {
     if (number == own_number()) return;
     const std::string name = number == default_number ? "twiddle" : "twiddle-" + number;
-    const std::string path = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
+    const std::string path = (own_folder() / name).string();
 
     std::vector<std::string> copies = arguments;
     std::vector<char *> argv;

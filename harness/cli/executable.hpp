@@ -1,6 +1,7 @@
 // executable.hpp: where this program is, and its siblings for other number types.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,9 @@ namespace twiddle::cli
 
 // The number type of this executable's C library, e.g. "float".
 std::string own_number();
+
+// The folder that this executable is in.
+std::filesystem::path own_folder();
 
 // If `number` is another type, become the executable that is built for it, with the same arguments, and do not return.
 // Throws std::runtime_error if it is not there.

@@ -1,7 +1,7 @@
 // folder_lock.hpp: one process at a time in a run's folder.
 #pragma once
 
-#include "descriptor.hpp"
+#include "link/descriptor.hpp"
 
 #include <filesystem>
 
@@ -17,7 +17,7 @@ class FolderLock
     explicit FolderLock(const std::filesystem::path &folder);
 
   private:
-    Descriptor folder_;
+    link::Descriptor folder_;
 };
 
 } // namespace twiddle::cli

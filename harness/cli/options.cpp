@@ -6,6 +6,7 @@
 #include "record/number_text.hpp"
 #include "sim/object.hpp"
 #include "sim/setup.hpp"
+#include "target.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -19,17 +20,15 @@ namespace
 
 constexpr std::uint64_t most_jobs = 1024;
 
-// An option with a fixed list of values, of which this version knows some.
+// An option with a fixed list of values.
 struct Choice {
     std::string option;
-    std::vector<std::string> available;
-    std::vector<std::string> later;
+    std::vector<std::string> values;
 };
 
-const Choice stepper_choice = {"--stepper", {"fast", "reference"}, {}};
-const Choice hand_choice = {"--hand", {"welded", "full"}, {}};
-const Choice number_choice = {"--number", {"float", "double", "fixed"}, {}};
-const Choice target_choice = {"--target", {"host"}, {"microbit", "mps2-an386", "virt"}};
+const Choice stepper_choice = {"--stepper", {"fast", "reference"}};
+const Choice hand_choice = {"--hand", {"welded", "full"}};
+const Choice number_choice = {"--number", {"float", "double", "fixed"}};
 
 bool contains(const std::vector<std::string> &names, const std::string &name)
 {
@@ -38,12 +37,9 @@ bool contains(const std::vector<std::string> &names, const std::string &name)
 
 void require_choice(const Choice &choice, const std::string &value)
 {
-    if (contains(choice.available, value)) return;
-    if (contains(choice.later, value))
-        throw UsageError(choice.option + " " + value + " is not in this version; use " + choice.option + " " +
-                         comma_list(choice.available));
+    if (contains(choice.values, value)) return;
     throw UsageError("unknown value '" + value + "' for " + choice.option + "; expected one of " +
-                     comma_list(choice.available));
+                     comma_list(choice.values));
 }
 
 void require_name(const std::string &kind, const std::vector<std::string> &names, const std::string &name)
@@ -107,8 +103,9 @@ void add_run_options(CLI::App &command, RunOptions &options)
         ->capture_default_str();
     command.add_option("--number", options.number, "Number type of the C library: float, double or fixed")
         ->type_name("TYPE")
-        ->capture_default_str();
-    command.add_option("--target", options.target, "Where the C library runs")
+        ->capture_default_str()
+        ->each([&options](const std::string &) { options.number_given = true; });
+    command.add_option("--target", options.target, "Where the C library runs: " + comma_list(targets()))
         ->type_name("NAME")
         ->capture_default_str();
     add_models_option(command, options.models_dir);
@@ -136,7 +133,7 @@ void require_supported(const RunOptions &options)
     require_choice(stepper_choice, options.stepper);
     require_choice(hand_choice, options.hand);
     require_choice(number_choice, options.number);
-    require_choice(target_choice, options.target);
+    require_choice({"--target", targets()}, options.target);
 }
 
 void require_supported(const record::RunSpecification &specification)

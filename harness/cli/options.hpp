@@ -22,6 +22,7 @@ struct RunOptions {
     std::string stepper = "fast";
     std::string hand = "welded";
     std::string number;
+    bool number_given = false; // or is it the default
     std::string target = "host";
     std::vector<std::string> overrides; // "section.key=value"
     std::string models_dir;

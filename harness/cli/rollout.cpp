@@ -46,6 +46,7 @@ experiment::Parameters parse_parameters(const std::string &line, std::size_t lin
 int rollout(const RunOptions &options, const std::vector<std::string> &arguments)
 {
     require_supported(options);
+    if (options.target != "host") throw UsageError("rollout computes on the host; use --target host");
     hand_over(options.number, arguments);
 
     const std::filesystem::path models = models_dir(options.models_dir);

@@ -5,6 +5,7 @@
 #include "record/progress.hpp"
 #include "run_folder.hpp"
 #include "stop_request.hpp"
+#include "target.hpp"
 #include "training_session.hpp"
 
 #include <chrono>
@@ -22,6 +23,7 @@ namespace
 
 struct TrainOptions {
     RunOptions run;
+    PortOptions port;
     std::string seed = "1";
     std::string trials = "5000";
     std::string out;
@@ -66,29 +68,11 @@ void print(const TrainingSummary &summary, const RunFolder &folder)
     std::cout << "run.json, trials.csv and policy.json are in " << folder.path.string() << '\n';
 }
 
-int train(const TrainOptions &options, const std::vector<std::string> &arguments)
+// Train to the end, or until Ctrl-C; returns the program's status.
+int train(TrainingSession &session, const std::optional<record::Run> &earlier, const RunFolder &folder,
+          std::uint32_t trials)
 {
-    require_supported(options.run);
-    hand_over(options.run.number, arguments);
-
-    const auto seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
-    const auto trials =
-        static_cast<std::uint32_t>(whole_number("--trials", options.trials, 1, experiment::most_trials));
-    const std::filesystem::path models = models_dir(options.run.models_dir);
-    record::Run run;
-    run.specification = run_specification(options.run, models, seed, trials);
-    run.command = shell_line(arguments);
-
-    const RunFolder folder{options.out.empty() ? default_run_path(run.specification)
-                                               : std::filesystem::path(options.out)};
-    const std::optional<record::Run> earlier = claim(folder, run.specification, "choose another folder by --out");
-    if (options.resume && earlier && earlier->complete) {
-        std::cout << "the run in " << folder.path.string() << " is already complete\n";
-        return 0;
-    }
-    TrainingSession session(folder, run, models);
-    catch_stop_signals();
-    if (options.resume && earlier) {
+    if (earlier) {
         session.resume("train again without --resume");
     } else {
         session.start_anew();
@@ -102,6 +86,38 @@ int train(const TrainOptions &options, const std::vector<std::string> &arguments
     return 0;
 }
 
+int train(const TrainOptions &options, const std::vector<std::string> &arguments)
+{
+    require_supported(options.run);
+    const Target target = target_of(options.run, options.port);
+    hand_over(target.number, arguments);
+
+    const auto seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
+    const auto trials =
+        static_cast<std::uint32_t>(whole_number("--trials", options.trials, 1, experiment::most_trials));
+    const std::filesystem::path models = models_dir(options.run.models_dir);
+    record::Run run;
+    run.specification = run_specification(options.run, models, seed, trials);
+    run.command = shell_line(arguments);
+    run.target = target.name;
+    run.port = target.port;
+
+    const RunFolder folder{options.out.empty() ? default_run_path(run.specification)
+                                               : std::filesystem::path(options.out)};
+    const std::optional<record::Run> earlier = claim(folder, run.specification, "choose another folder by --out");
+    if (options.resume && earlier && earlier->complete) {
+        std::cout << "the run in " << folder.path.string() << " is already complete\n";
+        return 0;
+    }
+    TrainingSession session(folder, run, models, agent_maker(target));
+    catch_stop_signals();
+    try {
+        return train(session, options.resume ? earlier : std::nullopt, folder, trials);
+    } catch (const link::LinkError &error) {
+        throw std::runtime_error(std::string(error.what()) + "; the same command with --resume goes on");
+    }
+}
+
 } // namespace
 
 void add_train(CLI::App &app, Session &session)
@@ -109,6 +125,7 @@ void add_train(CLI::App &app, Session &session)
     CLI::App *command = app.add_subcommand("train", "Learn one skill; writes run.json, trials.csv and policy.json");
     const auto options = std::make_shared<TrainOptions>();
     add_run_options(*command, options->run);
+    add_port_options(*command, options->port);
     command->add_option("--seed", options->seed, "Seed of weights and noise")->type_name("N")->capture_default_str();
     command->add_option("--trials", options->trials, "Length of the training")->type_name("N")->capture_default_str();
     command->add_option("--out", options->out, "Folder of the run [results/OBJECT/MODEL[-no-centre]/seed-N]")

@@ -23,8 +23,9 @@ double mean(std::vector<double>::const_iterator begin, std::vector<double>::cons
 
 } // namespace
 
-TrainingSession::TrainingSession(RunFolder folder, record::Run run, const std::filesystem::path &models)
-    : folder_(std::move(folder)), run_(std::move(run)), training_(run_.specification, models)
+TrainingSession::TrainingSession(RunFolder folder, record::Run run, const std::filesystem::path &models,
+                                 const experiment::AgentMaker &make_agent)
+    : folder_(std::move(folder)), run_(std::move(run)), training_(run_.specification, models, make_agent)
 {
 }
 
@@ -112,8 +113,9 @@ TrainingSummary TrainingSession::summary() const
 TrainingSummary TrainingSession::finish()
 {
     const TrainingSummary results = summary();
+    const record::Policy policy = training_.policy(); // first, since an agent that fails now can be trained again
     log_->finish();
-    record::write_policy(folder_.policy_json(), training_.policy());
+    record::write_policy(folder_.policy_json(), policy);
     run_.complete = true;
     run_.summary = {{"first_trials", results.first_trials},
                     {"mean_rotation_of_first_rad", results.mean_rotation_of_first_rad},

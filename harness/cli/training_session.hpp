@@ -31,8 +31,9 @@ struct TrainingSummary {
 class TrainingSession
 {
   public:
-    // Throws with the folder untouched if the run's settings are refused.
-    TrainingSession(RunFolder folder, record::Run run, const std::filesystem::path &models);
+    // Throws with the folder untouched if the run's settings are refused, or the agent cannot be made.
+    TrainingSession(RunFolder folder, record::Run run, const std::filesystem::path &models,
+                    const experiment::AgentMaker &make_agent = experiment::make_local_agent);
 
     // Start from the first trial; what the folder holds of an earlier start goes.
     void start_anew();

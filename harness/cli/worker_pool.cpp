@@ -1,6 +1,6 @@
 #include "worker_pool.hpp"
 
-#include "descriptor.hpp"
+#include "link/descriptor.hpp"
 #include "stop_request.hpp"
 
 #include <algorithm>
@@ -24,6 +24,8 @@ namespace twiddle::cli
 
 namespace
 {
+
+using link::Descriptor;
 
 constexpr int tick_ms = 100;
 

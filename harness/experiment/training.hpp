@@ -1,13 +1,12 @@
 // training.hpp: a training run, trial by trial.
 #pragma once
 
+#include "agent.hpp"
 #include "controller_setup.hpp"
 #include "models.hpp"
 #include "record/policy_json.hpp"
 #include "record/run_json.hpp"
 #include "trial.hpp"
-
-#include <twiddle/agent.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -37,7 +36,9 @@ struct TrialRow {
 class Training
 {
   public:
-    Training(const record::RunSpecification &specification, const std::filesystem::path &models_dir);
+    // With an agent in this process, or another. Throws std::runtime_error with one sentence.
+    Training(const record::RunSpecification &specification, const std::filesystem::path &models_dir,
+             const AgentMaker &make_agent = make_local_agent);
 
     // Act, simulate, learn.
     TrialRow run_trial();
@@ -46,20 +47,20 @@ class Training
     TrialRow recall_trial(double rotation_rad);
 
     // What has been learned so far.
-    record::Policy policy() const;
+    record::Policy policy();
 
   private:
-    // Start the coming trial: returns its row, as far as it is known, and leaves its parameters in parameters_.
+    // Start the coming trial: returns its row, as far as it is known.
     TrialRow act();
     void learn(TrialRow &row);
 
     const twd_model *model_;
     bool with_centre_;
-    TrialRunner runner_;
+    TrialWorld world_;
     LearnerInput input_{};
     double reward_per_rad_ = 0;
-    twd_agent agent_{};
-    Parameters parameters_;
+    std::unique_ptr<Agent> agent_;
+    std::uint32_t trials_ = 0; // learned from
 };
 
 } // namespace twiddle::experiment

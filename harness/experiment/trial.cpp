@@ -1,7 +1,7 @@
 #include "trial.hpp"
 
 #include <cmath>
-#include <stdexcept>
+#include <utility>
 
 namespace twiddle::experiment
 {
@@ -24,39 +24,34 @@ bool is_possible(const sim::JointVector &angle_rad, const sim::JointVector &velo
     return std::abs(rotation_rad) < impossible_rotation_rad;
 }
 
-TrialRunner::TrialRunner(sim::Stepper stepper, const sim::HandModel &hand, const sim::ObjectSpec &object,
-                         const sim::Setup &setup, sim::HandHold hold, const twd_model &model, bool with_centre)
-    : stepper_(stepper), hand_(hand), object_(object), setup_(setup), hold_(hold),
+TrialWorld::TrialWorld(sim::Stepper stepper, sim::HandModel hand, sim::ObjectSpec object, sim::Setup setup,
+                       sim::HandHold hold)
+    : stepper_(stepper), hand_(std::move(hand)), object_(std::move(object)), setup_(std::move(setup)), hold_(hold),
       world_(sim::make_world(stepper_, hand_, object_, setup_, hold_)), substeps_(world_->substeps_per_step())
 {
-    const twd_controller_config config = controller_config(setup_, model, with_centre);
-    const twd_error error = twd_controller_init(&controller_, &config);
-    if (error != TWD_OK)
-        throw std::runtime_error("the controller refuses set-up '" + setup.name + "': " + twd_error_text(error));
 }
 
-void TrialRunner::start(const Parameters &parameters)
+TrialResult TrialWorld::fault(int step)
 {
-    const twd_error error = twd_controller_start(&controller_, parameters.data(), parameters.size());
-    if (error != TWD_OK)
-        throw std::invalid_argument(std::string("the controller refuses the parameters: ") + twd_error_text(error));
+    world_ = sim::make_world(stepper_, hand_, object_, setup_, hold_);
+    return {0, "the simulation left the possible joint angles in step " + std::to_string(step) +
+                   "; the trial counts as 0 rad"};
 }
 
-ExpertWeights TrialRunner::weights() const
+TrialRunner::TrialRunner(sim::Stepper stepper, const sim::HandModel &hand, const sim::ObjectSpec &object,
+                         const sim::Setup &setup, sim::HandHold hold, const twd_model &model, bool with_centre)
+    : TrialRunner(TrialWorld(stepper, hand, object, setup, hold), model, with_centre)
 {
-    return expert_weights(*controller_.config.model, controller_.weight);
+}
+
+TrialRunner::TrialRunner(TrialWorld world, const twd_model &model, bool with_centre)
+    : world_(std::move(world)), loop_(controller_config(world_.setup(), model, with_centre), world_.setup().name)
+{
 }
 
 TrialResult TrialRunner::run(const Parameters &parameters)
 {
     return run_observed(parameters, [](const StepSample &, const sim::World &) {});
-}
-
-TrialResult TrialRunner::fault(int step)
-{
-    world_ = sim::make_world(stepper_, hand_, object_, setup_, hold_);
-    return {0, "the simulation left the possible joint angles in step " + std::to_string(step) +
-                   "; the trial counts as 0 rad"};
 }
 
 } // namespace twiddle::experiment

@@ -64,6 +64,8 @@ void write_run(const std::filesystem::path &path, const Run &run)
     json["hand"] = specification.hand;
     json["stepper"] = specification.stepper;
     json["number"] = specification.number;
+    json["target"] = run.target;
+    if (!run.port.empty()) json["port"] = run.port;
     json["command"] = run.command;
     json["versions"] = {
         {"twiddle", version()}, {"git_commit", git_commit()}, {"bullet", bullet_version()}, {"compiler", compiler()}};
@@ -84,6 +86,8 @@ Run read_run(const std::filesystem::path &path)
         throw std::runtime_error("'" + path.string() + "': 'state' must be \"running\" or \"complete\"");
     run.complete = state == "complete";
     run.command = json_value<std::string>(json, "command", "a text", path);
+    if (json.contains("target")) run.target = json_value<std::string>(json, "target", "a text", path);
+    if (json.contains("port")) run.port = json_value<std::string>(json, "port", "a text", path);
     run.summary = json.value("summary", Json());
     run.replay = json.value("replay", Json());
     return run;

@@ -33,10 +33,12 @@ std::filesystem::path folder_of(const RunSpecification &specification);
 // run.json.
 struct Run {
     RunSpecification specification;
-    bool complete = false; // "state": "running" or "complete"
-    std::string command;   // as it was typed
-    Json summary;          // results in short; null while there are none
-    Json replay;           // of the learned policy; null while there is none
+    bool complete = false;       // "state": "running" or "complete"
+    std::string command;         // as it was typed
+    std::string target = "host"; // where the agent computed, which no number depends on: "host", a board, or "port"
+    std::string port;            // the path, for "port"
+    Json summary;                // results in short; null while there are none
+    Json replay;                 // of the learned policy; null while there is none
 };
 
 // Write `run` with this program's versions.

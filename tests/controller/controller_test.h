@@ -18,8 +18,7 @@
 /* A phase as turns in [-0.5, 0.5). */
 static inline double signed_turns(twd_phase phase)
 {
-    const double turns = (double)phase / 4294967296.0;
-    return turns < 0.5 ? turns : turns - 1.0;
+    return (double)(int32_t)phase / 4294967296.0;
 }
 
 /* Any phase. */

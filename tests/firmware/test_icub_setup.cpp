@@ -1,4 +1,5 @@
-// The constants that images are made with (firmware/support/icub_setup.h) are the set-up `paper` as the harness reads it.
+// The constants that images are made with (firmware/support/icub_setup.h) are the set-up `paper` as the harness reads
+// it.
 extern "C" {
 #include "icub_setup.h"
 }
@@ -94,7 +95,7 @@ TEST(IcubSetup, learner_is_the_papers)
     twd_num input[TWD_INPUTS];
     icub_small_sphere(input);
     const experiment::LearnerInput sphere =
-        experiment::learner_input(sim::load_object(TWIDDLE_MODELS, "small-sphere"), setup.learner);
+        experiment::learner_input(sim::read_object(TWIDDLE_MODELS, "small-sphere"), setup.learner);
     for (std::size_t i = 0; i < sphere.size(); ++i) {
         expect_close(input[i], sphere[i], "input");
     }

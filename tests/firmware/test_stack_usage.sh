@@ -1,6 +1,6 @@
 #!/bin/sh
-# test_stack_usage.sh SOURCE_DIR CASE [BUILD_FOLDER]: one claim about firmware/scripts/stack_usage.py, on programs whose stack
-# is known, for every instruction set.
+# test_stack_usage.sh SOURCE_DIR CASE: one claim about firmware/scripts/stack_usage.py, on programs whose
+# stack is known, for every instruction set.
 set -eu
 source=$1
 claim=$2
@@ -84,6 +84,10 @@ run_claim() {
         esac
         is first "$expected"
         is main $(($(frame_of main) + expected))
+        ;;
+    call_that_does_not_return_is_no_way_on)
+        compile no_return.c -fno-toplevel-reorder
+        is again $(($(frame_of again) + $(frame_of ends_with_stop) + $(frame_of stop)))
         ;;
     switch_is_no_call_through_a_pointer)
         compile choice.c

@@ -65,10 +65,11 @@ static void symmetric_draws_are_uniform(void **state)
         sum += draw;
         sum_of_squares += draw * draw;
     }
+    const double count = (double)draws;
     const double variance = half_range * half_range / 3.0;
     const double variance_of_squares = half_range * half_range * half_range * half_range * (1.0 / 5.0 - 1.0 / 9.0);
-    assert_true(fabs(sum / draws) < 5.0 * sqrt(variance / draws));
-    assert_true(fabs(sum_of_squares / draws - variance) < 5.0 * sqrt(variance_of_squares / draws));
+    assert_true(fabs(sum / count) < 5.0 * sqrt(variance / count));
+    assert_true(fabs(sum_of_squares / count - variance) < 5.0 * sqrt(variance_of_squares / count));
 }
 
 /* Neighbouring seeds and seed 0 start from states that differ and are not all zero. */

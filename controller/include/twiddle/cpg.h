@@ -90,6 +90,8 @@ struct twd_cpg {
     twd_phase intrinsic_advance;                             /* turns a tick, from nu */
     uint8_t networks;                                        /* 1..TWD_MAX_CPGS */
     uint8_t oscillators;                                     /* of all networks */
+    uint16_t oscillators_end;                                /* where the oscillators in use end, bytes */
+    uint16_t couplings_end;                                  /* where the couplings in use end, bytes */
     uint8_t couplings;                                       /* of all networks */
     const struct twd_topology *topology[TWD_MAX_CPGS];       /* [networks] */
     struct twd_running_coupling coupling[TWD_MAX_COUPLINGS]; /* [couplings] */

@@ -1,4 +1,4 @@
-/* main -> shallow, main -> deep -> deeper, with frames of known sizes; each function calls or returns, none tail-calls. */
+/* main -> shallow, main -> deep -> deeper, with frames of known sizes. */
 __attribute__((noinline)) static int shallow(int value)
 {
     volatile int kept[30];

@@ -1,5 +1,5 @@
-/* Assembly as in C libraries, without frames on record. `joined` pushes, jumps to `joint`, which pushes again, calls `leaf`
- * and jumps back to the middle of `joined`, which takes everything off. */
+/* Assembly as in C libraries, without frames on record. `joined` pushes, jumps to `joint`, which pushes again, calls
+ * `leaf` and jumps back to the middle of `joined`, which takes everything off. */
     .section .text
     .global joined
     .global main

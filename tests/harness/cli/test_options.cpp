@@ -32,6 +32,7 @@ TEST(Options, wrong_use_is_one_sentence_and_status_2)
         {train + "--set friction=1", "expected section.key=value"},
         {train + "--set contact.friction=slippery", "slippery"},
         {train + "--set contact.grip=1", "grip"},
+        {train + "--number half", "half' for --number; expected one of float, double, fixed"},
         {train + "--hand robot", "robot' for --hand; expected one of welded, full"},
         {train + "--faster", "--faster"},
         {train + "--models /nonexistent", "'/nonexistent' is no models folder"},
@@ -44,23 +45,6 @@ TEST(Options, wrong_use_is_one_sentence_and_status_2)
         EXPECT_TRUE(is_one_complaint(outcome.error)) << arguments << ": " << outcome.error;
         EXPECT_NE(outcome.error.find(expected), std::string::npos) << arguments << ": " << outcome.error;
         EXPECT_EQ(outcome.output, "") << arguments;
-    }
-}
-
-// What this version does not do yet is refused in one sentence that says what to use.
-TEST(Options, what_is_not_in_this_version_is_refused)
-{
-    const std::vector<std::pair<std::string, std::string>> cases = {{"--number fixed", "use --number float, double"},
-                                                                    {"--target microbit", "use --target host"},
-                                                                    {"--target mps2-an386", "use --target host"}};
-    for (const std::string command : {"train", "rollout"}) {
-        for (const auto &[option, expected] : cases) {
-            const Outcome outcome = run_twiddle(command + " --object small-sphere --model cpg-h " + option);
-            EXPECT_EQ(outcome.status, 2) << option;
-            EXPECT_TRUE(is_one_complaint(outcome.error)) << option << ": " << outcome.error;
-            EXPECT_NE(outcome.error.find(option + " is not in this version; " + expected), std::string::npos)
-                << outcome.error;
-        }
     }
 }
 

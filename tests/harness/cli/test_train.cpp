@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <sys/wait.h>
@@ -194,8 +195,12 @@ TEST(Train, folder_of_something_else_is_not_touched)
 // for a run of another number type, another hold of the hand and overridden settings.
 TEST(Train, replay_repeats_the_run_from_its_folder)
 {
-    for (const std::string more :
-         {"", "--number double --set contact.friction=0.4", "--hand full --stepper reference"}) {
+    const std::vector<std::pair<std::string, std::string>> runs = {
+        {"float", ""},
+        {"double", "--number double --set contact.friction=0.4"},
+        {"fixed", "--number fixed"},
+        {"float", "--hand full --stepper reference"}};
+    for (const auto &[number, more] : runs) {
         const ScratchFolder folder;
         const fs::path run = folder.path() / "run";
         const std::string skill = "--object medium-cube --model cpg-h " + more;
@@ -203,7 +208,7 @@ TEST(Train, replay_repeats_the_run_from_its_folder)
         const Outcome outcome = run_twiddle("replay " + run.string());
         ASSERT_EQ(outcome.status, 0) << outcome.error;
         const auto json = twiddle::record::read_json(run / "run.json");
-        EXPECT_EQ(json["number"], more.find("double") == std::string::npos ? "float" : "double");
+        EXPECT_EQ(json["number"], number);
         EXPECT_TRUE(json["replay"].contains("min_finger_clearance_m"));
 
         std::string parameters;

@@ -3,13 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <cmath>
+#include <type_traits>
 
 namespace
 {
 
 using namespace twiddle;
 using namespace twiddle::experiment;
+
+// Half a step of a fixed-point number.
+constexpr double rounding = std::is_floating_point_v<twd_num> ? 1e-9 : 1.9e-9;
 
 sim::Setup mid_a()
 {
@@ -27,15 +31,15 @@ TEST(ControllerSetup, settings_reach_their_joints)
     ASSERT_EQ(config.joints, 4);
     for (std::size_t i = 0; i < expected.size(); ++i) {
         const twd_joint &joint = config.joint[i];
-        EXPECT_NEAR(joint.lower_rad, expected[i][0] * deg, 1e-6) << i;
-        EXPECT_NEAR(joint.upper_rad, expected[i][1] * deg, 1e-6) << i;
-        EXPECT_NEAR(joint.pd.stiffness_nm_per_rad, expected[i][2], 1e-7) << i;
-        EXPECT_NEAR(joint.pd.damping_nms_per_rad, expected[i][3], 1e-9) << i;
-        EXPECT_NEAR(joint.pd.torque_limit_nm, 1, 1e-7) << i;
+        EXPECT_NEAR(twd_num_to_double(joint.lower_rad), expected[i][0] * deg, 1e-6) << i;
+        EXPECT_NEAR(twd_num_to_double(joint.upper_rad), expected[i][1] * deg, 1e-6) << i;
+        EXPECT_NEAR(twd_num_to_double(joint.pd.stiffness_nm_per_rad), expected[i][2], 1e-7) << i;
+        EXPECT_NEAR(twd_num_to_double(joint.pd.damping_nms_per_rad), expected[i][3], rounding) << i;
+        EXPECT_NEAR(twd_num_to_double(joint.pd.torque_limit_nm), 1, 1e-7) << i;
     }
-    EXPECT_NEAR(config.oscillators.tick_s, 0.01, 1e-9);
-    EXPECT_NEAR(config.ranges.frequency_upper_hz, 1, 1e-7);
-    EXPECT_NEAR(config.ranges.lone_frequency_hz, 0.84, 1e-7);
+    EXPECT_NEAR(twd_small_to_double(config.oscillators.tick_s), 0.01, 1e-9);
+    EXPECT_NEAR(twd_num_to_double(config.ranges.frequency_upper_hz), 1, 1e-7);
+    EXPECT_NEAR(twd_num_to_double(config.ranges.lone_frequency_hz), 0.84, 1e-7);
     EXPECT_EQ(config.phase_start, TWD_PHASE_START_AT_LAG);
     twd_controller controller;
     EXPECT_EQ(twd_controller_init(&controller, &config), TWD_OK);
@@ -91,8 +95,8 @@ TEST(ControllerSetup, stable_pd_law_takes_its_period_from_the_substeps)
         for (std::size_t i = 0; i < inertia_kg_m2.size(); ++i) {
             const double kp = setup.hand.stiffness_nm_per_rad[i], kd = setup.hand.damping_nms_per_rad[i];
             const double divisor = 1 + h * (kd + h * kp) / inertia_kg_m2[i];
-            EXPECT_NEAR(stable.joint[i].pd.stiffness_nm_per_rad, kp / divisor, 1e-6) << i;
-            EXPECT_NEAR(stable.joint[i].pd.damping_nms_per_rad, (kd + h * kp) / divisor, 1e-8) << i;
+            EXPECT_NEAR(twd_num_to_double(stable.joint[i].pd.stiffness_nm_per_rad), kp / divisor, 1e-6) << i;
+            EXPECT_NEAR(twd_num_to_double(stable.joint[i].pd.damping_nms_per_rad), (kd + h * kp) / divisor, 1e-8) << i;
             EXPECT_EQ(stable.joint[i].pd.torque_limit_nm, plain.joint[i].pd.torque_limit_nm) << i;
             EXPECT_EQ(stable.joint[i].upper_rad, plain.joint[i].upper_rad) << i;
         }
@@ -120,7 +124,8 @@ TEST(ControllerSetup, held_angles_reach_the_gravity_table)
     const auto bent = controller_config(bent_setup, find_model("cpg-c"), true).finger[0].gravity;
     for (int axis = 0; axis < 3; ++axis)
         EXPECT_EQ(bent.joint[0].moment_nm[axis], straight.joint[0].moment_nm[axis]) << axis;
-    EXPECT_GT(std::abs(bent.joint[1].moment_nm[1] - straight.joint[1].moment_nm[1]), 1e-5);
+    const twd_num change_nm = bent.joint[1].moment_nm[1] - straight.joint[1].moment_nm[1];
+    EXPECT_GT(std::abs(twd_num_to_double(change_nm)), 1e-5);
 }
 
 // The squared norm of the learner's input is the set-up's 10 for each object. Expected: the setting, within the map's few per cent.
@@ -128,7 +133,9 @@ TEST(ControllerSetup, input_has_the_set_ups_norm)
 {
     for (const std::string &name : sim::object_names(TWIDDLE_MODELS)) {
         const LearnerInput input = learner_input(sim::read_object(TWIDDLE_MODELS, name), mid_a().learner);
-        const double squared_norm = std::inner_product(input.begin(), input.end(), input.begin(), 0.0);
+        double squared_norm = 0;
+        for (const twd_num response : input)
+            squared_norm += std::pow(twd_num_to_double(response), 2);
         EXPECT_NEAR(squared_norm, 10, 0.5) << name;
     }
 }

@@ -52,12 +52,12 @@ TEST(Models, unknown_model_lists_the_known_ones)
 // A model's weights land in the column of their CPG, C, M, S; absent CPGs have none.
 TEST(Models, weights_land_in_their_experts_column)
 {
-    const twd_num one = 1;
+    const twd_num one = TWD_NUM(1);
     EXPECT_EQ(expert_weights(find_model("cpg-c"), &one), (ExpertWeights{1, 0, 0}));
     EXPECT_EQ(expert_weights(find_model("cpg-m"), &one), (ExpertWeights{0, 1, 0}));
     EXPECT_EQ(expert_weights(find_model("cpg-s"), &one), (ExpertWeights{0, 0, 1}));
-    const ExpertWeights mixture = {TWD_NUM(0.5), TWD_NUM(0.25), TWD_NUM(0.25)};
-    EXPECT_EQ(expert_weights(find_model("cpg-h"), mixture.data()), mixture);
+    const std::array<twd_num, 3> mixture = {TWD_NUM(0.5), TWD_NUM(0.25), TWD_NUM(0.25)};
+    EXPECT_EQ(expert_weights(find_model("cpg-h"), mixture.data()), (ExpertWeights{0.5, 0.25, 0.25}));
 }
 
 } // namespace

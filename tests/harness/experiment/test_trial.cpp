@@ -29,7 +29,7 @@ Parameters random_parameters(std::size_t count, unsigned seed)
     std::uniform_real_distribution<double> uniform(0.01, 0.99);
     Parameters parameters;
     for (std::size_t i = 0; i < count; ++i) {
-        parameters.push_back(static_cast<twd_num>(uniform(random)));
+        parameters.push_back(twd_num_from_double(uniform(random)));
     }
     return parameters;
 }
@@ -107,7 +107,8 @@ TEST(Trial, wrong_parameters_are_refused)
     TrialRunner trials = runner("small-sphere", "cpg-s");
     EXPECT_THROW(trials.run({TWD_NUM(0.5)}), std::invalid_argument);
     EXPECT_THROW(trials.run({TWD_NUM(0.5), TWD_NUM(1.5)}), std::invalid_argument);
-    EXPECT_THROW(trials.run({TWD_NUM(0.5), std::numeric_limits<twd_num>::quiet_NaN()}), std::invalid_argument);
+    EXPECT_THROW(trials.run({TWD_NUM(0.5), twd_num_from_double(std::numeric_limits<double>::quiet_NaN())}),
+                 std::invalid_argument);
 }
 
 // A state that is not a number, or out of all proportion, is a fault; the ends of the joints' ranges are not.

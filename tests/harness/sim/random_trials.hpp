@@ -32,7 +32,7 @@ inline Parameters random_parameters(std::mt19937_64 &random, std::size_t count =
     std::uniform_real_distribution<double> uniform(0.001, 0.999);
     Parameters parameters(count);
     for (twd_num &p : parameters)
-        p = static_cast<twd_num>(uniform(random));
+        p = twd_num_from_double(uniform(random));
     return parameters;
 }
 
@@ -89,11 +89,11 @@ inline void expect_no_creep(TrialRunner &runner, const std::string &object)
     for (const Press press : {Press{0.75, 0.5, 0, 0.3}, Press{0.9, 0.1, 0, 0.3}, Press{0.75, 0.9, 0, 0.3},
                               Press{0, 0.5, 0.7, 0.5}, Press{0, 0.5, 0.7, 0.8}, Press{0.75, 0.5, 0.7, 0.5}}) {
         // Order: nu, R1..4, C1..4 (FEI, AAI, FET, OT), three lags.
-        Parameters parameters(12, 0);
-        parameters[5] = static_cast<twd_num>(press.index);
-        parameters[6] = static_cast<twd_num>(press.abduction);
-        parameters[7] = static_cast<twd_num>(press.thumb);
-        parameters[8] = static_cast<twd_num>(press.opposition);
+        Parameters parameters(12, TWD_NUM(0));
+        parameters[5] = twd_num_from_double(press.index);
+        parameters[6] = twd_num_from_double(press.abduction);
+        parameters[7] = twd_num_from_double(press.thumb);
+        parameters[8] = twd_num_from_double(press.opposition);
         double settled_rad = 0, force_n = 0, creep_rad = 0;
         runner.run_observed(parameters, [&](const StepSample &sample, const sim::World &world) {
             const sim::Observation seen = world.observe();

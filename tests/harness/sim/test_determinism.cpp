@@ -17,7 +17,7 @@ Parameters random_parameters(std::mt19937_64 &random)
 {
     Parameters parameters(22);
     for (twd_num &p : parameters)
-        p = static_cast<twd_num>(std::uniform_real_distribution<double>(0.01, 0.99)(random));
+        p = twd_num_from_double(std::uniform_real_distribution<double>(0.01, 0.99)(random));
     return parameters;
 }
 

@@ -86,14 +86,15 @@ TEST_P(GravityTorque, equals_bullets_inverse_dynamics)
         const id::vecx rest(2);
         for (int i = 0; i < 2; ++i) {
             const sim::HandLink &link = model.links[model.link_of_joint(std::string(name) + "_" + std::to_string(i))];
-            angle_rad[i] = std::uniform_real_distribution<double>(link.lower_rad, link.upper_rad)(random);
-            q[i] = angle_rad[i];
+            angle_rad[i] =
+                twd_num_from_double(std::uniform_real_distribution<double>(link.lower_rad, link.upper_rad)(random));
+            q[i] = twd_num_to_double(angle_rad[i]);
         }
         ASSERT_EQ(tree.calculateInverseDynamics(q, rest, rest, &torques), 0);
         twd_gravity_torque(&config.finger[finger].gravity, angle_rad.data(), torque_nm.data());
         for (int i = 0; i < 2; ++i) {
             largest_nm = std::max(largest_nm, std::abs(torques[i]));
-            difference_nm = std::max(difference_nm, std::abs(torque_nm[i] - torques[i]));
+            difference_nm = std::max(difference_nm, std::abs(twd_num_to_double(torque_nm[i]) - torques[i]));
         }
     }
     std::printf("seed %u: torques up to %.2e N m, largest difference %.1e N m\n", seed, largest_nm, difference_nm);
@@ -127,11 +128,7 @@ class GravityHold : public testing::TestWithParam<std::tuple<sim::Stepper, const
     void drive_to(const JointVector &desired_rad)
     {
         for (int i = 0; i < substeps_in_a_second(); ++i) {
-            const JointVector angle_rad = world_->angles_rad(), velocity_rad_s = world_->velocities_rad_s();
-            JointVector torque_nm{};
-            twd_controller_torque(&controller_, desired_rad.data(), angle_rad.data(), velocity_rad_s.data(),
-                                  torque_nm.data());
-            world_->substep(torque_nm);
+            world_->substep(torque_nm(desired_rad, world_->angles_rad(), world_->velocities_rad_s()));
         }
     }
 
@@ -143,12 +140,10 @@ class GravityHold : public testing::TestWithParam<std::tuple<sim::Stepper, const
         const JointVector at_rest{};
         double drift = 0;
         for (int i = 0; i < substeps_in_a_second(); ++i) {
-            const JointVector angle_rad = world_->angles_rad();
-            JointVector torque_nm{};
-            twd_controller_torque(&controller_, angle_rad.data(), angle_rad.data(), at_rest.data(), torque_nm.data());
-            for (double &torque : torque_nm)
+            JointVector applied_nm = torque_nm(world_->angles_rad(), world_->angles_rad(), at_rest);
+            for (double &torque : applied_nm)
                 torque *= share;
-            world_->substep(torque_nm);
+            world_->substep(applied_nm);
             for (std::size_t j = 0; j < sim::joint_count; ++j)
                 drift = std::max(drift, std::abs(world_->angles_rad()[j] - start_rad[j]));
         }
@@ -158,6 +153,21 @@ class GravityHold : public testing::TestWithParam<std::tuple<sim::Stepper, const
     const JointVector posture_rad_ = {60 * deg, 5 * deg, 50 * deg, 70 * deg}; // away from all stops
 
   private:
+    // The library's torques.
+    JointVector torque_nm(const JointVector &desired_rad, const JointVector &angle_rad,
+                          const JointVector &velocity_rad_s)
+    {
+        std::array<twd_num, sim::joint_count> desired{}, angle{}, torque{};
+        std::array<twd_rate, sim::joint_count> velocity{};
+        std::transform(desired_rad.begin(), desired_rad.end(), desired.begin(), twd_num_from_double);
+        std::transform(angle_rad.begin(), angle_rad.end(), angle.begin(), twd_num_from_double);
+        std::transform(velocity_rad_s.begin(), velocity_rad_s.end(), velocity.begin(), twd_rate_from_double);
+        twd_controller_torque(&controller_, desired.data(), angle.data(), velocity.data(), torque.data());
+        JointVector in_nm{};
+        std::transform(torque.begin(), torque.end(), in_nm.begin(), twd_num_to_double);
+        return in_nm;
+    }
+
     int substeps_in_a_second() const
     {
         return 100 * world_->substeps_per_step();

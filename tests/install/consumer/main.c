@@ -1,6 +1,7 @@
 /* A user's program: a CPG of its own through the whole controller, and a draw of the learner's generator. It compiles
  * as C and as C++. Exit status 0 if the outputs are what the equations say. */
 #include <twiddle/controller.h>
+#include <twiddle/convert.h>
 #include <twiddle/random.h>
 
 #include <stdio.h>
@@ -18,9 +19,9 @@ static struct twd_controller_config config_of_wings(void)
     memset(&config, 0, sizeof config);
     config.model = &model;
     config.oscillators.with_centre = true;
-    config.oscillators.tick_s = TWD_NUM(0.01);
-    config.oscillators.amplitude_rate_per_s = TWD_NUM(20);
-    config.oscillators.centre_rate_per_s = TWD_NUM(20);
+    config.oscillators.tick_s = TWD_SMALL(0.01);
+    config.oscillators.amplitude_rate_per_s = TWD_RATE(20);
+    config.oscillators.centre_rate_per_s = TWD_RATE(20);
     config.ranges.frequency_lower_hz = TWD_NUM(0.5);
     config.ranges.frequency_upper_hz = TWD_NUM(1.5);
     config.ranges.lone_frequency_hz = TWD_NUM(1);
@@ -64,6 +65,6 @@ int main(void)
     twd_random_seed(&random, 1);
     const bool drawn = twd_within(twd_random_symmetric(&random, TWD_NUM(0.5)), TWD_NUM(-0.5), TWD_NUM(0.5));
 
-    printf("%s: %f %f\n", TWD_NUMBER_NAME, (double)desired_rad[0], (double)desired_rad[1]);
+    printf("%s: %f %f\n", TWD_NUMBER_NAME, twd_num_to_double(desired_rad[0]), twd_num_to_double(desired_rad[1]));
     return close_to(desired_rad[0], TWD_NUM(1)) && close_to(desired_rad[1], TWD_NUM(-1)) && drawn ? 0 : 1;
 }

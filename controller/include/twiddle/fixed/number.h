@@ -24,8 +24,10 @@ typedef int32_t twd_small;
 #define TWD_RATE_BITS 20
 #define TWD_SMALL_BITS 34
 
-/* A constant of each type, rounded to nearest. A compiler whose double has 24 bits (avr-gcc) rounds it to these before. */
-#define TWD_FIXED_WORD(value, one) ((int32_t)((value) * (one) + ((value) < 0 ? -0.5 : 0.5)))
+/* A constant of each type, rounded to nearest. A compiler whose double has 24 bits (avr-gcc) rounds it to these before; a half
+ * added to such a number could round it once more, so what the truncation leaves over decides. */
+#define TWD_FIXED_WORD(value, one)                                                                                     \
+    ((int32_t)((value) * (one)) + (int32_t)(2.0 * ((value) * (one) - (double)(int32_t)((value) * (one)))))
 #define TWD_NUM(value) ((twd_num)TWD_FIXED_WORD(value, 268435456.0))
 #define TWD_WIDE(value) ((twd_wide)TWD_FIXED_WORD(value, 16777216.0))
 #define TWD_RATE(value) ((twd_rate)TWD_FIXED_WORD(value, 1048576.0))
@@ -146,7 +148,7 @@ static inline int32_t twd_high_word_of_square(int32_t a)
 #endif
 }
 
-/* floor(a factor / 2^(16 + shift)), for a factor of at most 2^(15 + shift), so of 16 bits, and a shift of 0 to 2: cheaper than
+/* floor(a factor / 2^(16 + shift)), for a factor of at most 2^16 and a shift of 0 to 16: cheaper than
  * twd_high_word on cores that multiply by pieces, and as cheap on the others. */
 static inline int32_t twd_scaled_by_pieces(int32_t a, uint32_t factor, unsigned shift)
 {
@@ -155,13 +157,13 @@ static inline int32_t twd_scaled_by_pieces(int32_t a, uint32_t factor, unsigned 
     return (high * (int32_t)factor + (int32_t)((low * factor) >> 16)) >> shift;
 }
 
-/* sum + floor(a factor / 2^(16 + shift)) */
-static inline int32_t twd_add_scaled(int32_t sum, int32_t a, uint32_t factor, unsigned shift)
+/* sum + floor(a short_word / 2^32), for a word from 0 to 2^30 whose lowest 14 bits are 0. */
+static inline int32_t twd_add_mul_short(int32_t sum, int32_t a, uint32_t short_word)
 {
 #if defined(TWD_MULTIPLIES_BY_PIECES)
-    return sum + twd_scaled_by_pieces(a, factor, shift);
+    return sum + twd_scaled_by_pieces(a, short_word >> 14, 2);
 #else
-    return twd_add_high_word(sum, a, (int32_t)(factor << (16U - shift)));
+    return twd_add_high_word(sum, a, (int32_t)short_word);
 #endif
 }
 
@@ -176,7 +178,7 @@ typedef struct {
 typedef int32_t twd_factor;
 #endif
 
-/* The factor nearest to `value`, in [0, 1/2). */
+/* The factor nearest to `value`, in [0, 1/2), with as many leading zeros. */
 static inline twd_factor twd_factor_of_num(twd_num value)
 {
     uint32_t word = (uint32_t)(int32_t)value;

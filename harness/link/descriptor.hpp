@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-namespace twiddle::cli
+namespace twiddle::link
 {
 
 class Descriptor
@@ -38,4 +38,4 @@ class Descriptor
     int number_ = -1;
 };
 
-} // namespace twiddle::cli
+} // namespace twiddle::link

@@ -1,0 +1,93 @@
+/* transfer.h: the payloads of messages (messages.h), written and read.
+ *
+ * Each function describes one message for both directions, so that the two ends cannot disagree. */
+#ifndef TWIDDLE_AGENT_TRANSFER_H
+#define TWIDDLE_AGENT_TRANSFER_H
+
+#include "agent/frame.h"
+#include "agent/messages.h"
+
+#include <twiddle/agent.h>
+#include <twiddle/controller.h>
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The format of this build's numbers. */
+#if defined(TWD_NUMBER_FIXED)
+#define TWD_NUMBERS_HERE TWD_NUMBERS_FIXED
+#elif defined(TWD_NUMBER_FLOAT)
+#define TWD_NUMBERS_HERE TWD_NUMBERS_FLOAT
+#else
+#error "numbers must have 32 bits to go over the link: build with TWD_NUMBER_FIXED or TWD_NUMBER_FLOAT"
+#endif
+
+/* Models by their number on the link; a null pointer for a number that is none. */
+#define TWD_MODELS 4U
+const struct twd_model *twd_model_of_number(uint32_t number);
+
+/* A payload being written or read, word after word. */
+struct twd_transfer {
+    struct twd_frame *frame;
+    uint16_t at;  /* bytes done */
+    bool writing; /* into the frame, or out of it */
+    bool failed;  /* no room, no bytes, or a field beyond what it may be: what was read is not to be used */
+};
+
+/* Start to write the payload of `frame`. Its type and sequence number are the caller's. */
+struct twd_transfer twd_transfer_to(struct twd_frame *frame);
+
+/* Start to read the payload of `frame`, which stays as it is. */
+struct twd_transfer twd_transfer_from(struct twd_frame *frame);
+
+/* Whether all went well and, when reading, the whole payload was read. When writing, sets the frame's length. */
+bool twd_transfer_end(struct twd_transfer *transfer);
+
+/* `count` objects of 32 bits: whole numbers, phases, or the library's numbers. Read into the objects, or written from
+ * them. */
+void twd_transfer_words(struct twd_transfer *transfer, void *words, size_t count);
+
+/* Who a chip is: the answer to TWD_REQUEST_HELLO. */
+struct twd_hello {
+    uint32_t protocol; /* TWD_PROTOCOL_VERSION */
+    uint32_t numbers;  /* enum twd_numbers */
+    uint32_t joints;   /* TWD_MAX_JOINTS of the chip's build, and so on */
+    uint32_t fingers;
+    uint32_t units;
+    uint32_t inputs;
+};
+void twd_transfer_hello(struct twd_transfer *transfer, struct twd_hello *hello);
+
+/* A controller's configuration, its model by number, but for joints and fingers, which follow one by one. */
+void twd_transfer_controller(struct twd_transfer *transfer, struct twd_controller_config *config);
+
+/* A joint or a finger and its place in the controller's configuration. */
+void twd_transfer_joint(struct twd_transfer *transfer, uint8_t *index, struct twd_joint *joint);
+void twd_transfer_finger(struct twd_transfer *transfer, uint8_t *index, struct twd_finger *finger);
+
+/* The learner's configuration. */
+void twd_transfer_learner(struct twd_transfer *transfer, struct twd_agent_config *config);
+
+/* What a trial starts with: the answer to TWD_REQUEST_ACT, for a model of `cpgs` CPGs. */
+struct twd_trial_start {
+    twd_wide value;               /* E, the critic's estimate */
+    twd_num noise;                /* half-range in force */
+    twd_num weight[TWD_MAX_CPGS]; /* [cpgs] s_k, in the model's order */
+};
+void twd_transfer_trial_start(struct twd_transfer *transfer, struct twd_trial_start *start, uint8_t cpgs);
+
+/* The learner's and the controller's counters: the answer to TWD_REQUEST_STATE. */
+struct twd_agent_state {
+    uint32_t trials;                    /* learned from */
+    struct twd_random random;           /* of the generator of weights and noise */
+    struct twd_saturations saturations; /* since TWD_REQUEST_BEGIN */
+};
+void twd_transfer_state(struct twd_transfer *transfer, struct twd_agent_state *state);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
