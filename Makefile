@@ -11,7 +11,7 @@ PEERS_SETS ?= 200
 PREFIX ?= /usr/local
 
 .DEFAULT_GOAL := help
-.PHONY: help run test accuracy bench bench-peers bench-firmware performance plots hand-tables firmware
+.PHONY: help run test accuracy bench bench-peers bench-firmware performance plots hand-tables example-policy firmware
 .PHONY: deps peers build sanitize format lint lint-format lint-tidy install clean gnuplot
 
 help: ## print this list
@@ -166,6 +166,13 @@ clean: ## remove build/ (results/ stays)
 	rm -rf build
 
 # --- keeping the sources in order ---
+
+EXAMPLE_RUN := build/example-policy
+
+example-policy: build ## train the policy of firmware/examples again, and write its C header
+	rm -rf $(EXAMPLE_RUN)
+	$(TWIDDLE) train --object small-sphere --model cpg-h --seed 1 --trials 2000 --number fixed --out $(EXAMPLE_RUN)
+	$(TWIDDLE) export $(EXAMPLE_RUN) --c-header --name example --out firmware/examples/example_policy.h
 
 HAND := models/icub_right_hand.urdf
 HAND_TABLES := controller/src/icub_right_hand.c

@@ -12,5 +12,5 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$compiler" -std=c99 -DTWD_NUMBER_FIXED "$@" -I"$sources"/controller/include -I"$sources"/learner/include \
     -I"$sources"/firmware/support "$sources"/controller/src/*.c "$sources"/learner/src/*.c "$sources"/firmware/golden/*.c \
-    "$sources"/tests/firmware/golden/host_board.c -o "$work"/golden
+    "$sources"/tests/firmware/host_board.c -o "$work"/golden
 "$work"/golden

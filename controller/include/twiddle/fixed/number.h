@@ -362,6 +362,12 @@ static inline twd_num twd_num_mul_rate_small(twd_rate a, twd_small b)
     return (twd_num)twd_saturated_word(twd_rounded(twd_product((int32_t)a, (int32_t)b), bits));
 }
 
+static inline twd_rate twd_rate_div_small(twd_num a, twd_small b)
+{
+    const unsigned bits = TWD_RATE_BITS + TWD_SMALL_BITS - TWD_NUM_BITS;
+    return (twd_rate)twd_quotient_word((int64_t)(int32_t)a * ((int64_t)1 << bits), (int32_t)b);
+}
+
 static inline twd_small twd_small_mul(twd_num a, twd_small b)
 {
     return (twd_small)twd_saturated_word(twd_rounded(twd_product((int32_t)a, (int32_t)b), TWD_NUM_BITS));

@@ -153,6 +153,12 @@ static inline twd_num twd_num_mul_rate_small(twd_rate a, twd_small b)
     return a * b;
 }
 
+/* The velocity of a joint that turned by a in the period b. */
+static inline twd_rate twd_rate_div_small(twd_num a, twd_small b)
+{
+    return a / b;
+}
+
 static inline twd_small twd_small_mul(twd_num a, twd_small b)
 {
     return a * b;

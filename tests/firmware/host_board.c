@@ -1,4 +1,4 @@
-/* What of support/board.h the golden program needs, on the machine that runs the tests. */
+/* What of support/board.h images that only write need, on the machine that runs the tests. */
 #include <board.h>
 
 #include <stdio.h>
