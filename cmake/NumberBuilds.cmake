@@ -19,6 +19,7 @@ function(twiddle_c_library name)
     set(target twiddle_${name}${suffix})
     add_library(${target} STATIC ${ARG_SOURCES})
     twiddle_c_target(${target})
+    target_compile_options(${target} PRIVATE ${TWIDDLE_LIBRARY_TUNING}) # of a board's toolchain file
     target_include_directories(${target} PUBLIC
       $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_compile_definitions(${target} PUBLIC TWD_NUMBER_${number_upper})

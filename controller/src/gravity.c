@@ -190,16 +190,16 @@ static void pair_torque(const twd_num energy_j[3][3], const twd_num angle_rad[2]
     twd_sine_cosine(twd_phase_from_angle(angle_rad[1]), &sine[1], &cosine[1]);
 
     const twd_num of_first_cosine =
-        energy_j[1][0] + twd_mul_short(energy_j[1][1], cosine[1]) + twd_mul_short(energy_j[1][2], sine[1]);
+        energy_j[1][0] + twd_mul(energy_j[1][1], cosine[1]) + twd_mul(energy_j[1][2], sine[1]);
     const twd_num of_first_sine =
-        energy_j[2][0] + twd_mul_short(energy_j[2][1], cosine[1]) + twd_mul_short(energy_j[2][2], sine[1]);
-    torque_nm[0] = twd_mul_short(of_first_sine, cosine[0]) - twd_mul_short(of_first_cosine, sine[0]);
+        energy_j[2][0] + twd_mul(energy_j[2][1], cosine[1]) + twd_mul(energy_j[2][2], sine[1]);
+    torque_nm[0] = twd_mul(of_first_sine, cosine[0]) - twd_mul(of_first_cosine, sine[0]);
 
     const twd_num of_second_cosine =
-        energy_j[0][1] + twd_mul_short(energy_j[1][1], cosine[0]) + twd_mul_short(energy_j[2][1], sine[0]);
+        energy_j[0][1] + twd_mul(energy_j[1][1], cosine[0]) + twd_mul(energy_j[2][1], sine[0]);
     const twd_num of_second_sine =
-        energy_j[0][2] + twd_mul_short(energy_j[1][2], cosine[0]) + twd_mul_short(energy_j[2][2], sine[0]);
-    torque_nm[1] = twd_mul_short(of_second_sine, cosine[1]) - twd_mul_short(of_second_cosine, sine[1]);
+        energy_j[0][2] + twd_mul(energy_j[1][2], cosine[0]) + twd_mul(energy_j[2][2], sine[0]);
+    torque_nm[1] = twd_mul(of_second_sine, cosine[1]) - twd_mul(of_second_cosine, sine[1]);
 }
 
 /* Gravity's direction is handed from link to link outwards, then the moments of the links inwards. */

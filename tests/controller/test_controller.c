@@ -166,7 +166,7 @@ static void torques_are_gravity_and_pd(void **state)
     assert_num_close(torque[0], 0.2 * 0.2 - 0.01 * 2.0, BY_NUMBER(1e-9, 1e-7, 3 * NUM_STEP));
     assert_num_close(torque[1], 0.01, BY_NUMBER(1e-9, 1e-7, NUM_STEP));
     assert_num_close(torque[2], 0.01962 * cos(0.9) + 0.2 * 0.1,
-                     BY_NUMBER(1e-9, 1e-7, 4 * WIDE_STEP + 0.02 * SINE_BOUND));
+                     BY_NUMBER(1e-9, 1e-7, 3 * NUM_STEP + 0.02 * SINE_BOUND));
     assert_num_close(torque[3], 0.0, 0.0);
     assert_int_equal(controller.saturations.torque, 0);
     assert_int_equal(controller.saturations.input, 0);

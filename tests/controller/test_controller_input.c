@@ -37,7 +37,7 @@ static void input_that_is_no_number_never_reaches_the_torques(void **state)
             const double finger_angle = which == 1 ? 0.1 : 0.6;
             assert_true(torque[0] == TWD_NUM(0));
             assert_num_close(torque[1], 0.01962 * cos(finger_angle) - 0.2 * 0.1,
-                             BY_NUMBER(1e-9, 1e-7, 4 * WIDE_STEP + 0.02 * SINE_BOUND));
+                             BY_NUMBER(1e-9, 1e-7, 3 * NUM_STEP + 0.02 * SINE_BOUND));
             assert_int_equal(controller.saturations.input, ++counted);
         }
     }

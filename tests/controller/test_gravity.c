@@ -3,7 +3,7 @@
 #include <twiddle/gravity.h>
 
 #define G 9.81
-/* Fixed: sines within 4e-6, of moments of less than 0.2 N m, and short products. */
+/* Fixed: sines within 4e-6, of moments of less than 0.5 N m. */
 #define TOLERANCE_NM BY_NUMBER(1e-8, 1e-6, 2e-6)
 
 /* Two links along x that turn about z in one plane; gravity along -y. */
