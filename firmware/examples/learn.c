@@ -1,8 +1,8 @@
-/* learn.c: a chip that goes on learning where a training stopped. The header beside this file is what `twiddle export` made of
- * that training (`make example-policy`).
+/* learn.c: a chip that goes on learning where a training stopped. The header beside this file is what `twiddle export`
+ * made of that training (`make example-policy`).
  *
- * What is learned here is not to turn an object but to please a formula, so that the example needs no hand: the nearer all
- * parameters are to the middle of their ranges, the better. run_trial is the place for the real thing. */
+ * What is learned here is not to turn an object but to please a formula, so that the example needs no hand: the nearer
+ * all parameters are to the middle of their ranges, the better. run_trial is the place for the real thing. */
 #include "board.h"
 #include "example_policy.h"
 #include "report.h"
@@ -15,8 +15,8 @@ static struct twd_agent agent;
 /* For the report. */
 static uint32_t parameter_sum = REPORT_CHECKSUM_START;
 
-/* On a real hand: twd_controller_start with the parameters, the loop of play.c for example_skill.trial_ticks ticks, and as the
- * reward what the movement was good for; a rotation of 1 rad was worth example_reward_per_rad in the training. */
+/* On a real hand: twd_controller_start with the parameters, the loop of play.c for example_skill.trial_ticks ticks, and
+ * as the reward what the movement was good for: in the training, example_reward_per_rad for a rotation of 1 rad. */
 static twd_wide run_trial(const twd_num *parameter)
 {
     twd_wide reward = TWD_WIDE(4);

@@ -1,8 +1,8 @@
 /* play.c: a trained skill on a chip. The header beside this file is what `twiddle export` made of a training (`make
  * example-policy`); the two functions below are all that playing it takes.
  *
- * On a real hand a timer of 100 Hz calls twd_controller_tick, and one of 500 Hz calls torque_period with the board's own
- * encoders and motors; the movement goes on until they are stopped. Here they are called in turn, for 3 s. */
+ * On a real hand a timer of 100 Hz calls twd_controller_tick, and one of 500 Hz calls torque_period with the board's
+ * own encoders and motors; the movement goes on until they are stopped. Here they are called in turn, for 3 s. */
 #include "board.h"
 #include "example_policy.h"
 #include "report.h"

@@ -16,7 +16,8 @@ void report_checksum(const char *what, uint32_t sum);
 /* Of nothing. */
 #define REPORT_CHECKSUM_START UINT32_C(0x811C9DC5)
 
-/* `sum` and `count` numbers more: 32-bit FNV-1a over the bytes of their words, low byte first. In the other builds `sum` alone. */
+/* `sum` and `count` numbers more: 32-bit FNV-1a over the bytes of their words, low byte first. In the other builds
+ * `sum` alone. */
 uint32_t report_checksum_of(uint32_t sum, const twd_num *number, size_t count);
 
 #endif

@@ -1,7 +1,7 @@
 /* toy_hand.h: what stands for a hand in the examples, behind the two functions that a board's motors and encoders have.
  *
- * Four joints without weight or friction, each of 40 g cm2, that only their torques move; encoders that know angles, from which
- * velocities are made as firmware makes them. */
+ * Four joints without weight or friction, each of 40 g cm2, that only their torques move; encoders that know angles,
+ * from which velocities are made as firmware makes them. */
 #ifndef TWIDDLE_EXAMPLES_TOY_HAND_H
 #define TWIDDLE_EXAMPLES_TOY_HAND_H
 

@@ -26,8 +26,8 @@ using Fields = std::map<std::string, std::string>;
 
 constexpr double rad_per_deg = 3.14159265358979323846 / 180;
 
-// The header, with fields as fields_of() names them. Structs are written without their fields' names, which C++17 does not
-// know; the order is that of the library's headers.
+// The header, with the fields that the functions below fill. Structs are written without their fields' names, which
+// C++17 does not know; the order is that of the library's headers.
 constexpr const char *layout =
     R"(/* @skill@: learned in @trials@ trials from seed @seed@.
  *

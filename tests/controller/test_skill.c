@@ -123,8 +123,8 @@ static uint32_t movement(void)
     return sum;
 }
 
-/* A skill moves as a controller that is made of its configuration and started with its parameters, in the same and in a used
- * controller. */
+/* A skill moves as a controller that is made of its configuration and started with its parameters, in the same and in a
+ * used controller. */
 static void skill_moves_as_its_controller(void **state)
 {
     const struct twd_skill skill = skill_of(&twd_model_m);

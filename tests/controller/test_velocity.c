@@ -17,7 +17,8 @@ static void velocity_is_way_over_period(void **state)
     }
 }
 
-/* 5 rad in 0.5 ms are 10,000 rad/s, beyond the fixed build's 2048: it stays at the end, which the controller does not use. */
+/* 5 rad in 0.5 ms are 10,000 rad/s, beyond the fixed build's 2048: it stays at the end, which the controller does not
+ * use. */
 static void velocity_beyond_its_range_is_not_usable(void **state)
 {
     (void)state;

@@ -24,7 +24,8 @@ static struct twd_agent_config paper_config(size_t units, size_t inputs, uint64_
 /* The agent of the test in hand; static, since it takes 3 KiB. */
 static struct twd_agent agent;
 
-/* The half-range is 0.5 at 0 %, 0.275 at 30 %, 0.05 at 60 % and at 100 % of the training (the paper's schedule, by hand). */
+/* The half-range is 0.5 at 0 %, 0.275 at 30 %, 0.05 at 60 % and at 100 % of the training (the paper's schedule, by
+ * hand). */
 static void noise_follows_the_schedule(void **state)
 {
     const struct twd_agent_config config = paper_config(5, 27, 1);
@@ -200,7 +201,8 @@ static uint32_t go_on(const twd_num *input)
     return sum * 31U + checksum(&agent, sizeof agent);
 }
 
-/* An agent made of what another has come to goes on as that one did, to the byte: here half way through the noise's decay. */
+/* An agent made of what another has come to goes on as that one did, to the byte: here half way through the noise's
+ * decay. */
 static void restored_agent_goes_on_as_the_one_it_was(void **state)
 {
     static const twd_num input[RESTORED_INPUTS] = {TWD_NUM(1),  TWD_NUM(0.5), TWD_NUM(0),
@@ -251,7 +253,8 @@ static void restore_errors_leave_the_agent_as_it_was(void **state)
     assert_int_equal(twd_agent_restore(&agent, &good), TWD_OK);
 }
 
-/* A reward that is not a number or is infinite counts as 0: the TD error is minus the estimate, and every weight stays a number. */
+/* A reward that is not a number or is infinite counts as 0: the TD error is minus the estimate, and every weight stays
+ * a number. */
 static void a_reward_that_is_not_finite_counts_as_zero(void **state)
 {
     static const double rewards[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
@@ -311,8 +314,8 @@ static void unit_counts_are_the_papers(void **state)
     }
 }
 
-/* CPG-H's selector weights, decoded from what the agent explores, are y_k / sum(y) of the last three parameters (eq. 4) and sum
- * to 1 in every trial, with and without centre. */
+/* CPG-H's selector weights, decoded from what the agent explores, are y_k / sum(y) of the last three parameters (eq. 4)
+ * and sum to 1 in every trial, with and without centre. */
 static void selector_weights_sum_to_one(void **state)
 {
     const struct twd_parameter_ranges ranges = {

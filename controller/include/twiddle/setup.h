@@ -1,7 +1,8 @@
 /* setup.h: what a controller's configuration is made from, as constants.
  *
- * A configuration (controller.h) holds what was worked out from them: each finger's gravity, and gains that are stable at a
- * period. A set-up holds the constants alone, so it can stay in flash, and its words are the same for every compiler. */
+ * A configuration (controller.h) holds what was worked out from them: each finger's gravity, and gains that are stable
+ * at a period. A set-up holds the constants alone, so it can stay in flash, and its words are the same for every
+ * compiler. */
 #ifndef TWIDDLE_SETUP_H
 #define TWIDDLE_SETUP_H
 
@@ -43,8 +44,8 @@ struct twd_setup {
     twd_num gravity_direction[3];          /* unit vector in the chains' base frame */
 };
 
-/* Write the configuration that `setup` asks for. Errors: a null table, too many joints or fingers, what twd_pd_stable and
- * twd_gravity_init refuse; `config` is then not to be used. The rest is checked by twd_controller_init. */
+/* Write the configuration that `setup` asks for. Errors: a null table, too many joints or fingers, what twd_pd_stable
+ * and twd_gravity_init refuse; `config` is then not to be used. The rest is checked by twd_controller_init. */
 enum twd_error twd_setup_config(const struct twd_setup *setup, struct twd_controller_config *config);
 
 #ifdef __cplusplus

@@ -22,8 +22,8 @@ struct twd_skill {
     const twd_num *parameter; /* [parameters] in [0, 1]; order: model.h */
 };
 
-/* Prepare `controller` for the skill, and start its movement. Errors: those of twd_setup_config, twd_controller_init and
- * twd_controller_start, and a null table; `controller` is then not to be used. */
+/* Prepare `controller` for the skill, and start its movement. Errors: those of twd_setup_config, twd_controller_init
+ * and twd_controller_start, and a null table; `controller` is then not to be used. */
 enum twd_error twd_skill_start(const struct twd_skill *skill, struct twd_controller *controller);
 
 #ifdef __cplusplus

@@ -15,8 +15,8 @@
 extern "C" {
 #endif
 
-/* How far exploration reaches at each trial: the half-range of the uniform noise falls linearly from `start` to `end` over
- * the first `decay_fraction` of the training and stays there. */
+/* How far exploration reaches at each trial: the half-range of the uniform noise falls linearly from `start` to `end`
+ * over the first `decay_fraction` of the training and stays there. */
 struct twd_noise_schedule {
     twd_num start;          /* half-range at trial 0, [0, 1]; the paper's is 0.5 */
     twd_num end;            /* half-range after the decay, [0, 1]; the paper's is 0.05 */
@@ -63,11 +63,11 @@ struct twd_agent_snapshot {
     const twd_num *input;          /* [inputs] what the trials acted on: for twd_agent_act and twd_agent_policy */
 };
 
-/* Make an untrained agent. Draws: the weights unit by unit. Errors: sizes beyond the arrays, a field outside its range. */
+/* Make an untrained agent. Draws: the weights unit by unit. Errors: sizes beyond the arrays, a field out of range. */
 enum twd_error twd_agent_init(struct twd_agent *agent, const struct twd_agent_config *config);
 
-/* Make the agent that `snapshot` was taken of: the next trial is what it would have been there. Errors: those of init, a null
- * table, an all-zero random state. */
+/* Make the agent that `snapshot` was taken of: the next trial is what it would have been there. Errors: those of init,
+ * a null table, an all-zero random state. */
 enum twd_error twd_agent_restore(struct twd_agent *agent, const struct twd_agent_snapshot *snapshot);
 
 /* Start a trial on `input`, [inputs]: writes the explored parameters, [units]. */

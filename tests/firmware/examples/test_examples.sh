@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# test_examples.sh SOURCE_DIR BOARD EXAMPLE HOST_PROGRAM: the image EXAMPLE of `make firmware`, at -Os and at -O2, says on BOARD what it
-# says on this machine, where it is HOST_PROGRAM: fixed-point images to the letter, others within 0.002, as a chip may round another way.
+# test_examples.sh SOURCE_DIR BOARD EXAMPLE HOST_PROGRAM: the image EXAMPLE of `make firmware`, at -Os and at -O2, says
+# on BOARD what it says on this machine, where it is HOST_PROGRAM: fixed-point images to the letter, others within
+# 0.002, as a chip may round another way.
 set -euo pipefail
 
 source=$1
@@ -39,7 +40,8 @@ close()
 for level in Os O2; do
     image=$source/build/firmware/$board-$level/bin/$example
     [[ -r $image ]] || fail "there is no $image; make firmware builds it"
-    "$source/firmware/emulators/run" "$board" "$image" >"$work/output" || fail "at -$level it ends with status $?: $(<"$work/output")"
+    "$source/firmware/emulators/run" "$board" "$image" >"$work/output" ||
+        fail "at -$level it ends with status $?: $(<"$work/output")"
     compare=close
     [[ $example == *_fixed ]] && compare='cmp -s'
     $compare "$work/expected" "$work/output" || fail "at -$level it says

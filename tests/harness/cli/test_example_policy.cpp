@@ -14,7 +14,8 @@ namespace
 
 using namespace twiddle::test;
 
-// 32-bit FNV-1a over the words of the desired angles of trajectory.csv, row by row: what the example `play` says of its own.
+// 32-bit FNV-1a over the words of the desired angles of trajectory.csv, row by row: what the example `play` says of its
+// own.
 std::string checksum_of_desired_angles(const std::filesystem::path &trajectory)
 {
     const auto joints = twiddle::record::read_csv_columns(
@@ -33,8 +34,8 @@ std::string checksum_of_desired_angles(const std::filesystem::path &trajectory)
     return text;
 }
 
-// The committed header is what training and export write today, and the example that plays it wants, tick for tick, the angles of the
-// run's own replay. On other processors the physics may round another way, and so teach another policy.
+// The committed header is what training and export write today, and the example that plays it wants, tick for tick, the
+// angles of the run's own replay. On other processors the physics may round another way, and so teach another policy.
 TEST(ExamplePolicy, committed_header_is_current_and_played_as_the_replay)
 {
 #if !defined(__x86_64__)

@@ -1,4 +1,5 @@
-// A run's exported header against the run itself: what the library makes of the constants is what the program had in memory.
+// A run's exported header against the run itself: what the library makes of the constants is what the program had in
+// memory.
 #include "exported.h"
 
 #include "experiment/controller_setup.hpp"
@@ -172,8 +173,8 @@ TEST(Export, learner_goes_on_as_the_runs)
     }
 }
 
-// In any number build a run of any other is the same to within rounding: its parameters are those of policy.json, its constants are
-// accepted, and the policy that its weights give is the learned one.
+// In any number build a run of any other is the same to within rounding: its parameters are those of policy.json, its
+// constants are accepted, and the policy that its weights give is the learned one.
 TEST(Export, runs_of_other_number_types_are_taken)
 {
     for (const exported &run : all_runs()) {

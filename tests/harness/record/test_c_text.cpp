@@ -12,8 +12,8 @@ namespace
 
 using namespace twiddle::record;
 
-// By hand: 0.1 x 2^28 = 26843545.6, 9.81 x 2^24 = 164584488.96, 0.3 x 2^20 = 314572.8, 0.002 x 2^34 = 34359738.368; halves away from
-// zero.
+// By hand: 0.1 x 2^28 = 26843545.6, 9.81 x 2^24 = 164584488.96, 0.3 x 2^20 = 314572.8, 0.002 x 2^34 = 34359738.368;
+// halves away from zero.
 TEST(CText, constants_have_decimal_and_word)
 {
     EXPECT_EQ(c_constant(CType::num, 0.1), "TWD_NUM_CONSTANT(0.1, 26843546)");
