@@ -85,14 +85,14 @@ BENCHMARK(controller_torque);
 void learner_act_and_learn(benchmark::State &state)
 {
     const sim::LearnerSetup learner = sim::load_setup(bench::models_dir, "mid-a").learner;
-    const twd_agent_config config = agent_config(learner, twd_model_h, true, 5000, seed);
-    twd_agent agent{};
-    if (twd_agent_init(&agent, &config) != TWD_OK) std::abort();
+    const twd_learner_config config = learner_config(learner, twd_model_h, true, 5000, seed);
+    twd_learner agent{};
+    if (twd_learner_init(&agent, &config) != TWD_OK) std::abort();
     const LearnerInput input = learner_input(sim::read_object(bench::models_dir, "small-sphere"), learner);
     Parameters parameters(config.units);
     while (state.KeepRunning()) {
-        twd_agent_act(&agent, input.data(), parameters.data());
-        benchmark::DoNotOptimize(twd_agent_learn(&agent, twd_wide_of_num(parameters.front())));
+        twd_learner_act(&agent, input.data(), parameters.data());
+        benchmark::DoNotOptimize(twd_learner_learn(&agent, twd_wide_of_num(parameters.front())));
     }
     state.SetItemsProcessed(state.iterations());
 }

@@ -86,21 +86,21 @@ static enum twd_refusal begin(struct twd_agent_server *server)
     if (server->learner_config.units != twd_model_parameters(config->model, config->oscillators.with_centre))
         return library(server, TWD_ERROR_PARAMETER_COUNT);
     enum twd_error error = twd_controller_init(&server->controller, config);
-    if (error == TWD_OK) error = twd_agent_init(&server->learner, &server->learner_config);
+    if (error == TWD_OK) error = twd_learner_init(&server->learner, &server->learner_config);
     if (error == TWD_OK) server->phase = TWD_AGENT_BETWEEN_TRIALS;
     return library(server, error);
 }
 
 static enum twd_refusal act(struct twd_agent_server *server)
 {
-    struct twd_agent *const learner = &server->learner;
+    struct twd_learner *const learner = &server->learner;
     const struct twd_controller *const controller = &server->controller;
     twd_num input[TWD_MAX_INPUTS];
     const enum twd_refusal refusal = request_words(server, input, learner->config.inputs);
     if (refusal != TWD_REFUSAL_NONE) return refusal;
 
     twd_num parameter[TWD_MAX_UNITS];
-    twd_agent_act(learner, input, parameter);
+    twd_learner_act(learner, input, parameter);
     const enum twd_error error = twd_controller_start(&server->controller, parameter, learner->config.units);
     if (error != TWD_OK) return library(server, error);
     server->phase = TWD_AGENT_STARTED;
@@ -143,7 +143,7 @@ static enum twd_refusal learn(struct twd_agent_server *server)
     twd_wide reward;
     const enum twd_refusal refusal = request_words(server, &reward, 1);
     if (refusal != TWD_REFUSAL_NONE) return refusal;
-    twd_wide td_error = twd_agent_learn(&server->learner, reward);
+    twd_wide td_error = twd_learner_learn(&server->learner, reward);
     server->phase = TWD_AGENT_BETWEEN_TRIALS;
     return answer_words(server, &td_error, 1);
 }
@@ -154,7 +154,7 @@ static enum twd_refusal policy(struct twd_agent_server *server)
     const enum twd_refusal refusal = request_words(server, input, server->learner.config.inputs);
     if (refusal != TWD_REFUSAL_NONE) return refusal;
     twd_num parameter[TWD_MAX_UNITS];
-    twd_agent_policy(&server->learner, input, parameter);
+    twd_learner_policy(&server->learner, input, parameter);
     return answer_words(server, parameter, server->learner.config.units);
 }
 

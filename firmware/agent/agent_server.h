@@ -26,9 +26,9 @@ enum twd_agent_phase {
 struct twd_agent_server {
     enum twd_agent_phase phase;
     struct twd_controller_config controller_config; /* as far as it has come */
-    struct twd_agent_config learner_config;
+    struct twd_learner_config learner_config;
     struct twd_controller controller;
-    struct twd_agent learner;
+    struct twd_learner learner;
     twd_num desired_rad[TWD_MAX_JOINTS]; /* of the last tick */
     int32_t library_error;               /* enum twd_error of the last refusal, as a signed number */
     struct twd_frame_reader reader;

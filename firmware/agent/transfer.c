@@ -185,7 +185,7 @@ static void size(struct twd_transfer *transfer, size_t *value)
     *value = (size_t)small_number(transfer, (uint32_t)*value, UINT16_MAX);
 }
 
-void twd_transfer_learner(struct twd_transfer *transfer, struct twd_agent_config *config)
+void twd_transfer_learner(struct twd_transfer *transfer, struct twd_learner_config *config)
 {
     size(transfer, &config->units);
     size(transfer, &config->inputs);

@@ -7,8 +7,8 @@
 #include "agent/frame.h"
 #include "agent/messages.h"
 
-#include <twiddle/agent.h>
 #include <twiddle/controller.h>
+#include <twiddle/learner.h>
 
 #include <stdbool.h>
 
@@ -69,7 +69,7 @@ void twd_transfer_joint(struct twd_transfer *transfer, uint8_t *index, struct tw
 void twd_transfer_finger(struct twd_transfer *transfer, uint8_t *index, struct twd_finger *finger);
 
 /* The learner's configuration. */
-void twd_transfer_learner(struct twd_transfer *transfer, struct twd_agent_config *config);
+void twd_transfer_learner(struct twd_transfer *transfer, struct twd_learner_config *config);
 
 /* What a trial starts with: the answer to TWD_REQUEST_ACT, for a model of `cpgs` CPGs. */
 struct twd_trial_start {

@@ -46,8 +46,8 @@ OPERATIONS = {
     TICK: "twd_controller_tick",
     "torques": "twd_controller_torque",
     "trial start": "twd_controller_start",
-    "act": "twd_agent_act",
-    "learn": "twd_agent_learn",
+    "act": "twd_learner_act",
+    "learn": "twd_learner_learn",
 }
 GATE = "gate and remap"  # the whole tick less the seven oscillators, in the mean
 

@@ -10,7 +10,7 @@
 enum { TRIALS = 20 };
 
 static struct twd_controller controller;
-static struct twd_agent agent;
+static struct twd_learner learner;
 
 /* The iCub hand, with the ranges of drive.h. */
 static enum twd_error set_up(void)
@@ -78,15 +78,15 @@ static void run_controller(void)
 /* A training whose reward is the first parameter. */
 static enum twd_error run_learner(void)
 {
-    const struct twd_agent_config config = icub_agent_config(TRIALS, 1);
-    const enum twd_error error = twd_agent_init(&agent, &config);
+    const struct twd_learner_config config = icub_learner_config(TRIALS, 1);
+    const enum twd_error error = twd_learner_init(&learner, &config);
     if (error != TWD_OK) return error;
     twd_num input[TWD_INPUTS];
     icub_small_sphere(input);
     for (int trial = 0; trial < TRIALS; trial++) {
         twd_num parameter[ICUB_PARAMETERS];
-        twd_agent_act(&agent, input, parameter);
-        (void)twd_agent_learn(&agent, twd_wide_of_num(parameter[0]));
+        twd_learner_act(&learner, input, parameter);
+        (void)twd_learner_learn(&learner, twd_wide_of_num(parameter[0]));
     }
     return TWD_OK;
 }

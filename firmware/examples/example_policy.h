@@ -4,14 +4,14 @@
  * Make it anew rather than change it.
  *
  *     to play it          twd_skill_start with example_skill
- *     to go on learning   twd_agent_restore with example_learner
+ *     to go on learning   twd_learner_restore with example_learner
  *
  * A program takes no memory for what it does not use of this. */
 #ifndef TWIDDLE_SKILL_EXAMPLE_H
 #define TWIDDLE_SKILL_EXAMPLE_H
 
-#include <twiddle/agent.h>
 #include <twiddle/icub_right_hand.h>
+#include <twiddle/learner.h>
 #include <twiddle/skill.h>
 
 /* clang-format off */
@@ -424,7 +424,7 @@ static const twd_num example_input[27] = {
     TWD_NUM(0), TWD_NUM(0), TWD_NUM(0),
 };
 
-static const struct twd_agent_snapshot example_learner = {
+static const struct twd_learner_snapshot example_learner = {
     {
         22, 27,
         TWD_NUM_CONSTANT(0.1, 26843546), TWD_NUM_CONSTANT(0.1, 26843546),

@@ -10,7 +10,7 @@
 enum { TRIALS = 500, UNITS = TWD_MAX_UNITS };
 
 /* All memory that a learner needs. Static, since it takes 3 KiB. */
-static struct twd_agent agent;
+static struct twd_learner learner;
 
 /* For the report. */
 static uint32_t parameter_sum = REPORT_CHECKSUM_START;
@@ -20,7 +20,7 @@ static uint32_t parameter_sum = REPORT_CHECKSUM_START;
 static twd_wide run_trial(const twd_num *parameter)
 {
     twd_wide reward = TWD_WIDE(4);
-    for (size_t i = 0; i < agent.config.units; i++) {
+    for (size_t i = 0; i < learner.config.units; i++) {
         const twd_num distance = parameter[i] - TWD_NUM(0.5);
         reward = twd_wide_subtract(reward, twd_wide_product(distance, distance));
     }
@@ -31,7 +31,7 @@ static twd_wide run_trial(const twd_num *parameter)
 static twd_num reward_of_policy(void)
 {
     twd_num parameter[UNITS];
-    twd_agent_policy(&agent, example_learner.input, parameter);
+    twd_learner_policy(&learner, example_learner.input, parameter);
     return twd_num_of_wide(run_trial(parameter));
 }
 
@@ -39,24 +39,24 @@ static void learn(void)
 {
     for (int trial = 0; trial < TRIALS; trial++) {
         twd_num parameter[UNITS];
-        twd_agent_act(&agent, example_learner.input, parameter);
-        (void)twd_agent_learn(&agent, run_trial(parameter));
-        parameter_sum = report_checksum_of(parameter_sum, parameter, agent.config.units);
+        twd_learner_act(&learner, example_learner.input, parameter);
+        (void)twd_learner_learn(&learner, run_trial(parameter));
+        parameter_sum = report_checksum_of(parameter_sum, parameter, learner.config.units);
     }
 }
 
 int main(void)
 {
-    const enum twd_error error = twd_agent_restore(&agent, &example_learner);
+    const enum twd_error error = twd_learner_restore(&learner, &example_learner);
     if (error != TWD_OK) {
         board_write(twd_error_text(error));
         return BOARD_FAILURE;
     }
     const twd_num before = reward_of_policy();
-    report_count("learn: trials before ", agent.trial);
+    report_count("learn: trials before ", learner.trial);
     learn();
     const twd_num after = reward_of_policy();
-    report_count("trials now ", agent.trial);
+    report_count("trials now ", learner.trial);
     report_numbers("reward before:", &before, 1);
     report_numbers("reward now:", &after, 1);
     report_checksum("checksum of explored parameters ", parameter_sum);

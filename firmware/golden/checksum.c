@@ -102,18 +102,18 @@ void checksum_controller(uint32_t *sum, const struct twd_controller *controller)
     take_word(sum, controller->saturations.input);
 }
 
-void checksum_agent(uint32_t *sum, const struct twd_agent *agent)
+void checksum_learner(uint32_t *sum, const struct twd_learner *learner)
 {
-    const struct twd_actor *const actor = &agent->actor;
-    checksum_words(sum, agent->random.state, 4);
+    const struct twd_actor *const actor = &learner->actor;
+    checksum_words(sum, learner->random.state, 4);
     for (uint8_t j = 0; j < actor->units; j++)
         checksum_numbers(sum, actor->weight[j], actor->inputs);
     checksum_numbers(sum, actor->output, actor->units);
     checksum_numbers(sum, actor->explored, actor->units);
     checksum_numbers(sum, actor->learned_value, actor->units);
-    checksum_numbers(sum, agent->critic.weight, agent->critic.inputs);
-    checksum_numbers(sum, agent->input, agent->config.inputs);
-    take_number(sum, agent->noise);
-    take_number(sum, agent->value);
-    take_word(sum, agent->trial);
+    checksum_numbers(sum, learner->critic.weight, learner->critic.inputs);
+    checksum_numbers(sum, learner->input, learner->config.inputs);
+    take_number(sum, learner->noise);
+    take_number(sum, learner->value);
+    take_word(sum, learner->trial);
 }

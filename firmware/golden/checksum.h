@@ -3,8 +3,8 @@
 #ifndef TWIDDLE_GOLDEN_CHECKSUM_H
 #define TWIDDLE_GOLDEN_CHECKSUM_H
 
-#include <twiddle/agent.h>
 #include <twiddle/controller.h>
+#include <twiddle/learner.h>
 
 #if !defined(TWD_NUMBER_FIXED)
 #error "bit identity is promised for the fixed build: compile with TWD_NUMBER_FIXED"
@@ -20,7 +20,7 @@ void checksum_numbers(uint32_t *sum, const int32_t *number, size_t count);
 /* Take all that a controller has computed, at set-up and since. */
 void checksum_controller(uint32_t *sum, const struct twd_controller *controller);
 
-/* Take all that an agent has learned and remembers. */
-void checksum_agent(uint32_t *sum, const struct twd_agent *agent);
+/* Take all that a learner has learned and remembers. */
+void checksum_learner(uint32_t *sum, const struct twd_learner *learner);
 
 #endif

@@ -20,7 +20,7 @@ enum { SETS = 100, TICKS = 300, TRIALS = 1000, JOINTS = TWD_ICUB_JOINTS, PARAMET
 
 static struct twd_controller controller;
 static struct twd_controller_config config;
-static struct twd_agent agent;
+static struct twd_learner learner;
 static struct twd_random random_state;
 
 static void require(enum twd_error error)
@@ -154,7 +154,7 @@ static void see(int trial, twd_num *input)
 
 static uint32_t learning(void)
 {
-    static const struct twd_agent_config learner = {
+    static const struct twd_learner_config learner_config = {
         .units = PARAMETERS,
         .inputs = TWD_INPUTS,
         .actor_rate = TWD_NUM(0.1),
@@ -167,15 +167,15 @@ static uint32_t learning(void)
     };
     uint32_t sum = CHECKSUM_START;
     twd_num input[TWD_INPUTS], parameter[PARAMETERS];
-    require(twd_agent_init(&agent, &learner));
+    require(twd_learner_init(&learner, &learner_config));
     for (int trial = 0; trial < TRIALS; trial++) {
         if (trial % 10 == 0) see(trial, input);
-        twd_agent_act(&agent, input, parameter);
-        const twd_wide td_error = twd_agent_learn(&agent, reward(parameter));
+        twd_learner_act(&learner, input, parameter);
+        const twd_wide td_error = twd_learner_learn(&learner, reward(parameter));
         checksum_numbers(&sum, &td_error, 1);
     }
-    checksum_agent(&sum, &agent);
-    twd_agent_policy(&agent, input, parameter);
+    checksum_learner(&sum, &learner);
+    twd_learner_policy(&learner, input, parameter);
     checksum_numbers(&sum, parameter, PARAMETERS);
     return sum;
 }

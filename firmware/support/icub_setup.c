@@ -52,9 +52,9 @@ enum twd_error icub_controller_config(struct twd_controller_config *config)
     return set_finger(&config->finger[1], &twd_icub_thumb, TWD_ICUB_OT, TWD_ICUB_FET, THUMB_DISTAL_RAD);
 }
 
-struct twd_agent_config icub_agent_config(uint32_t trials, uint64_t seed)
+struct twd_learner_config icub_learner_config(uint32_t trials, uint64_t seed)
 {
-    const struct twd_agent_config config = {
+    const struct twd_learner_config config = {
         .units = ICUB_PARAMETERS,
         .inputs = TWD_INPUTS,
         .actor_rate = TWD_NUM(0.1),

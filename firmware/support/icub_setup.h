@@ -5,9 +5,9 @@
 #ifndef TWIDDLE_FIRMWARE_ICUB_SETUP_H
 #define TWIDDLE_FIRMWARE_ICUB_SETUP_H
 
-#include <twiddle/agent.h>
 #include <twiddle/controller.h>
 #include <twiddle/input_map.h>
+#include <twiddle/learner.h>
 
 /* Parameters of a trial. */
 enum { ICUB_PARAMETERS = 22 };
@@ -17,7 +17,7 @@ enum { ICUB_PARAMETERS = 22 };
 enum twd_error icub_controller_config(struct twd_controller_config *config);
 
 /* The learner's configuration for a training of `trials` trials. */
-struct twd_agent_config icub_agent_config(uint32_t trials, uint64_t seed);
+struct twd_learner_config icub_learner_config(uint32_t trials, uint64_t seed);
 
 /* What the learner sees of the small sphere, [TWD_INPUTS]. */
 void icub_small_sphere(twd_num *input);

@@ -19,7 +19,7 @@ namespace twiddle::experiment
 struct AgentSetup {
     std::string name; // of the set-up, for sentences
     twd_controller_config controller{};
-    twd_agent_config learner{};
+    twd_learner_config learner{};
 };
 
 // What a trial starts with.

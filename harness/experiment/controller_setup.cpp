@@ -108,10 +108,10 @@ twd_controller_config controller_config(const sim::Setup &setup, const twd_model
     return config;
 }
 
-twd_agent_config agent_config(const sim::LearnerSetup &setup, const twd_model &model, bool with_centre,
-                              std::uint32_t trials, std::uint64_t seed)
+twd_learner_config learner_config(const sim::LearnerSetup &setup, const twd_model &model, bool with_centre,
+                                  std::uint32_t trials, std::uint64_t seed)
 {
-    twd_agent_config config{};
+    twd_learner_config config{};
     config.units = twd_model_parameters(&model, with_centre);
     config.inputs = TWD_INPUTS;
     config.actor_rate = num(setup.actor_rate);

@@ -5,9 +5,9 @@
 #include "sim/object.hpp"
 #include "sim/setup.hpp"
 
-#include <twiddle/agent.h>
 #include <twiddle/controller.h>
 #include <twiddle/input_map.h>
+#include <twiddle/learner.h>
 
 #include <array>
 #include <cstdint>
@@ -22,8 +22,8 @@ constexpr double control_step_s = 0.01; // the paper's
 twd_controller_config controller_config(const sim::Setup &setup, const twd_model &model, bool with_centre);
 
 // The learner of a run of `trials` trials.
-twd_agent_config agent_config(const sim::LearnerSetup &setup, const twd_model &model, bool with_centre,
-                              std::uint32_t trials, std::uint64_t seed);
+twd_learner_config learner_config(const sim::LearnerSetup &setup, const twd_model &model, bool with_centre,
+                                  std::uint32_t trials, std::uint64_t seed);
 
 // What the learner sees of the object.
 using LearnerInput = std::array<twd_num, TWD_INPUTS>;

@@ -3,8 +3,8 @@
 
 #include "sim/world.hpp"
 
-#include <twiddle/config.h>
 #include <twiddle/convert.h>
+#include <twiddle/limits.h>
 
 #include <array>
 

@@ -15,14 +15,14 @@ class LocalAgent : public Agent
   public:
     explicit LocalAgent(const AgentSetup &setup) : loop_(setup.controller, setup.name), parameters_(setup.learner.units)
     {
-        const twd_error error = twd_agent_init(&learner_, &setup.learner);
+        const twd_error error = twd_learner_init(&learner_, &setup.learner);
         if (error != TWD_OK)
             throw std::runtime_error("the learner refuses set-up '" + setup.name + "': " + twd_error_text(error));
     }
 
     TrialStart act(const LearnerInput &input) override
     {
-        twd_agent_act(&learner_, input.data(), parameters_.data());
+        twd_learner_act(&learner_, input.data(), parameters_.data());
         loop_.start(parameters_);
         return {shown_wide(learner_.value), shown_num(learner_.noise), loop_.weights()};
     }
@@ -34,7 +34,7 @@ class LocalAgent : public Agent
 
     twd_wide learn(twd_wide reward) override
     {
-        return twd_agent_learn(&learner_, reward);
+        return twd_learner_learn(&learner_, reward);
     }
 
     LearnerState state(const LearnerInput &input) override
@@ -42,7 +42,7 @@ class LocalAgent : public Agent
         LearnerState state;
         state.trials = learner_.trial;
         state.policy.resize(learner_.config.units);
-        twd_agent_policy(&learner_, input.data(), state.policy.data());
+        twd_learner_policy(&learner_, input.data(), state.policy.data());
         const std::size_t inputs = learner_.config.inputs;
         for (std::size_t unit = 0; unit < learner_.config.units; ++unit) {
             const twd_num *weights = learner_.actor.weight[unit];
@@ -55,7 +55,7 @@ class LocalAgent : public Agent
 
   private:
     ControlLoop loop_;
-    twd_agent learner_{};
+    twd_learner learner_{};
     Parameters parameters_; // of the current trial
 };
 

@@ -35,13 +35,13 @@ constexpr const char *layout =
  * Make it anew rather than change it.
  *
  *     to play it          twd_skill_start with @name@_skill
- *     to go on learning   twd_agent_restore with @name@_learner
+ *     to go on learning   twd_learner_restore with @name@_learner
  *
  * A program takes no memory for what it does not use of this.@beyond@ */
 #ifndef @guard@
 #define @guard@
 
-#include <twiddle/agent.h>
+#include <twiddle/learner.h>
 #include <twiddle/icub_right_hand.h>
 #include <twiddle/skill.h>
 
@@ -111,7 +111,7 @@ static const twd_wide @name@_critic_weight[@inputs@] = {
 static const twd_num @name@_input[@inputs@] = {
 @input@};
 
-static const struct twd_agent_snapshot @name@_learner = {
+static const struct twd_learner_snapshot @name@_learner = {
     {
         @units@, @inputs@,
         @actor_rate@, @critic_rate@,
@@ -224,7 +224,7 @@ void add_physics(Fields &fields, const sim::PhysicsSetup &setup, Constants &cons
     fields["down_z"] = constant(CType::num, setup.gravity_direction[2]);
 }
 
-void add_learner(Fields &fields, const sim::LearnerSetup &setup, const twd_agent_config &config, Constants &constant)
+void add_learner(Fields &fields, const sim::LearnerSetup &setup, const twd_learner_config &config, Constants &constant)
 {
     const bool unclipped = setup.learned_value == sim::LearnedValue::unclipped;
     fields["units"] = std::to_string(config.units);
@@ -290,7 +290,7 @@ std::string skill_header(const std::string &name, const record::RunSpecification
     add_oscillators(fields, setup.oscillators, constant);
     add_physics(fields, setup.physics, constant);
     add_learner(fields, setup.learner,
-                agent_config(setup.learner, model, specification.centre, specification.trials, specification.seed),
+                learner_config(setup.learner, model, specification.centre, specification.trials, specification.seed),
                 constant);
     add_learned(fields, policy, constant);
     add_input(fields, sim::read_object(models_dir, specification.object), setup.learner, constant);

@@ -1,5 +1,5 @@
 // skill_header.hpp: a trained run as a C header for firmware: the skill (twiddle/skill.h), and the learner's snapshot
-// (twiddle/agent.h).
+// (twiddle/learner.h).
 #pragma once
 
 #include "record/policy_json.hpp"

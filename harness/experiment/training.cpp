@@ -32,7 +32,7 @@ AgentSetup agent_setup(const record::RunSpecification &specification)
     const sim::Setup setup = setup_of(specification);
     const twd_model &model = find_model(specification.model);
     return {setup.name, controller_config(setup, model, specification.centre),
-            agent_config(setup.learner, model, specification.centre, specification.trials, specification.seed)};
+            learner_config(setup.learner, model, specification.centre, specification.trials, specification.seed)};
 }
 
 } // namespace

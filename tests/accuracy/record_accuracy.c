@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <twiddle/agent.h>
 #include <twiddle/controller.h>
 #include <twiddle/convert.h>
 #include <twiddle/elementary.h>
 #include <twiddle/icub_right_hand.h>
 #include <twiddle/input_map.h>
+#include <twiddle/learner.h>
 #include <twiddle/phase.h>
 
 /* Numerical Recipes' 64-bit linear congruential generator: a whole number of 0..2^bits - 1. */
@@ -179,7 +179,7 @@ static double reward(const twd_num *parameter, size_t units)
 /* Learn as the paper does, and write what came of it. */
 static void record_learning(uint64_t seed)
 {
-    const struct twd_agent_config config = {
+    const struct twd_learner_config config = {
         .units = TWD_MAX_UNITS,
         .inputs = TWD_INPUTS,
         .actor_rate = TWD_NUM(0.1),
@@ -194,17 +194,17 @@ static void record_learning(uint64_t seed)
     };
     twd_num input[TWD_INPUTS];
     twd_num parameter[TWD_MAX_UNITS];
-    struct twd_agent agent;
+    struct twd_learner learner;
     double sum_of_last = 0;
     twd_input_map(TWD_SHAPE_SPHERE, TWD_NUM(0.028), TWD_WIDE(10), input);
-    require(twd_agent_init(&agent, &config));
+    require(twd_learner_init(&learner, &config));
     for (int trial = 0; trial < LEARNING_TRIALS; trial++) {
-        twd_agent_act(&agent, input, parameter);
+        twd_learner_act(&learner, input, parameter);
         const double earned = reward(parameter, config.units);
-        (void)twd_agent_learn(&agent, twd_wide_from_double(earned));
+        (void)twd_learner_learn(&learner, twd_wide_from_double(earned));
         if (trial >= LEARNING_TRIALS - LEARNING_LAST_TRIALS) sum_of_last += earned;
     }
-    twd_agent_policy(&agent, input, parameter);
+    twd_learner_policy(&learner, input, parameter);
     write_double(reward(parameter, config.units));
     write_double(sum_of_last / LEARNING_LAST_TRIALS);
 }

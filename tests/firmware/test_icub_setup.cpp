@@ -74,9 +74,9 @@ TEST(IcubSetup, controller_is_the_papers)
 TEST(IcubSetup, learner_is_the_papers)
 {
     const sim::Setup setup = sim::load_setup(TWIDDLE_MODELS, "paper");
-    const twd_agent_config theirs =
-        experiment::agent_config(setup.learner, experiment::find_model("cpg-h"), true, 40, 7);
-    const twd_agent_config ours = icub_agent_config(40, 7);
+    const twd_learner_config theirs =
+        experiment::learner_config(setup.learner, experiment::find_model("cpg-h"), true, 40, 7);
+    const twd_learner_config ours = icub_learner_config(40, 7);
 
     EXPECT_EQ(ours.units, theirs.units);
     EXPECT_EQ(ours.inputs, theirs.inputs);

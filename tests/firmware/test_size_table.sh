@@ -49,7 +49,7 @@ sizes_are_binutils)
 disassembly_agrees_with_the_compiler)
     for board in microbit mps2-an386 virt; do
         for image in control control_fixed; do
-            set -- twd_controller_tick twd_controller_torque twd_agent_act twd_agent_learn
+            set -- twd_controller_tick twd_controller_torque twd_learner_act twd_learner_learn
             "$source/firmware/scripts/stack_usage.py" "$images/$board-O2/bin/$image.json" "$@" >"$work/with_frames"
             "$source/firmware/scripts/stack_usage.py" --objdump "$(toolchain $board)-objdump" \
                 --frames "$images/$board-O2/firmware/CMakeFiles/board.dir" "$images/$board-O2/bin/$image" "$@" \

@@ -1,8 +1,8 @@
 /* The learner on a bandit whose answer is known in closed form: reward = 1 - sum_j (p_j - target_j)^2. */
 #include "learner_test.h"
 
-#include <twiddle/agent.h>
 #include <twiddle/input_map.h>
+#include <twiddle/learner.h>
 
 enum { TRIALS = 5000, SEEDS = 8 };
 
@@ -20,7 +20,7 @@ static double shortfall(const twd_num *parameter, const double *target, size_t u
 /* Shortfall of the noise-free policy before and after a training with the paper's settings. */
 static void train(uint64_t seed, size_t units, double *before, double *after)
 {
-    const struct twd_agent_config config = {
+    const struct twd_learner_config config = {
         .units = units,
         .inputs = TWD_INPUTS,
         .actor_rate = TWD_NUM(0.1),
@@ -33,18 +33,18 @@ static void train(uint64_t seed, size_t units, double *before, double *after)
     double target[TWD_MAX_UNITS];
     twd_num input[TWD_INPUTS];
     twd_num parameter[TWD_MAX_UNITS];
-    static struct twd_agent agent; /* 3 KiB */
+    static struct twd_learner learner; /* 3 KiB */
     for (size_t j = 0; j < units; j++)
         target[j] = j % 2 == 0 ? 0.2 : 0.8;
     twd_input_map(TWD_SHAPE_SPHERE, TWD_NUM(0.028), TWD_WIDE(10), input);
-    assert_int_equal(twd_agent_init(&agent, &config), TWD_OK);
-    twd_agent_policy(&agent, input, parameter);
+    assert_int_equal(twd_learner_init(&learner, &config), TWD_OK);
+    twd_learner_policy(&learner, input, parameter);
     *before = shortfall(parameter, target, units);
     for (int trial = 0; trial < TRIALS; trial++) {
-        twd_agent_act(&agent, input, parameter);
-        (void)twd_agent_learn(&agent, twd_wide_from_double(1.0 - shortfall(parameter, target, units)));
+        twd_learner_act(&learner, input, parameter);
+        (void)twd_learner_learn(&learner, twd_wide_from_double(1.0 - shortfall(parameter, target, units)));
     }
-    twd_agent_policy(&agent, input, parameter);
+    twd_learner_policy(&learner, input, parameter);
     *after = shortfall(parameter, target, units);
 }
 

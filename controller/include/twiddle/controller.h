@@ -9,11 +9,11 @@
 #ifndef TWIDDLE_CONTROLLER_H
 #define TWIDDLE_CONTROLLER_H
 
-#include <twiddle/config.h>
 #include <twiddle/cpg.h>
 #include <twiddle/error.h>
 #include <twiddle/gate.h>
 #include <twiddle/gravity.h>
+#include <twiddle/limits.h>
 #include <twiddle/model.h>
 #include <twiddle/pd.h>
 

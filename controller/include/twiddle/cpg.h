@@ -7,8 +7,8 @@
 #ifndef TWIDDLE_CPG_H
 #define TWIDDLE_CPG_H
 
-#include <twiddle/config.h>
 #include <twiddle/error.h>
+#include <twiddle/limits.h>
 #include <twiddle/oscillator.h>
 
 #include <stddef.h>

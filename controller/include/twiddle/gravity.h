@@ -5,8 +5,8 @@
 #ifndef TWIDDLE_GRAVITY_H
 #define TWIDDLE_GRAVITY_H
 
-#include <twiddle/config.h>
 #include <twiddle/error.h>
+#include <twiddle/limits.h>
 #include <twiddle/number.h>
 
 #ifdef __cplusplus

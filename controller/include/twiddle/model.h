@@ -6,9 +6,9 @@
 #ifndef TWIDDLE_MODEL_H
 #define TWIDDLE_MODEL_H
 
-#include <twiddle/config.h>
 #include <twiddle/cpg.h>
 #include <twiddle/error.h>
+#include <twiddle/limits.h>
 
 #include <stddef.h>
 

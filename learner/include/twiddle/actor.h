@@ -7,7 +7,7 @@
 #define TWIDDLE_ACTOR_H
 
 #include <twiddle/error.h>
-#include <twiddle/learner_config.h>
+#include <twiddle/learner_limits.h>
 #include <twiddle/random.h>
 
 #include <stddef.h>

@@ -6,7 +6,7 @@
 #define TWIDDLE_CRITIC_H
 
 #include <twiddle/error.h>
-#include <twiddle/learner_config.h>
+#include <twiddle/learner_limits.h>
 #include <twiddle/number.h>
 
 #include <stddef.h>

@@ -45,9 +45,9 @@ static struct twd_controller_config controller_config(void)
     return config;
 }
 
-static struct twd_agent_config learner_config(void)
+static struct twd_learner_config learner_config(void)
 {
-    const struct twd_agent_config config = {
+    const struct twd_learner_config config = {
         .units = UNITS,
         .inputs = TWD_INPUTS,
         .actor_rate = TWD_NUM(0.1),
@@ -100,7 +100,7 @@ static void expect_refusal(struct twd_agent_server *server, uint8_t type, size_t
 }
 
 static void send_configuration(struct twd_agent_server *server, struct twd_controller_config controller,
-                               struct twd_agent_config learner)
+                               struct twd_learner_config learner)
 {
     struct twd_transfer transfer = twd_transfer_to(&server->request);
     twd_transfer_controller(&transfer, &controller);
@@ -135,15 +135,15 @@ static void begin(struct twd_agent_server *server)
 /* What the server is compared with: the library, called directly. */
 struct direct {
     struct twd_controller controller;
-    struct twd_agent learner;
+    struct twd_learner learner;
 };
 
 static void begin_direct(struct direct *direct)
 {
     const struct twd_controller_config controller = controller_config();
-    const struct twd_agent_config learner = learner_config();
+    const struct twd_learner_config learner = learner_config();
     assert_int_equal(twd_controller_init(&direct->controller, &controller), TWD_OK);
-    assert_int_equal(twd_agent_init(&direct->learner, &learner), TWD_OK);
+    assert_int_equal(twd_learner_init(&direct->learner, &learner), TWD_OK);
 }
 
 /* Start a trial on both. */
@@ -152,7 +152,7 @@ static void act_on_both(struct twd_agent_server *server, struct direct *direct, 
     twd_num parameter[UNITS];
     twd_num start[5];
     exchange(server, TWD_REQUEST_ACT, input, TWD_INPUTS, start, 5);
-    twd_agent_act(&direct->learner, input, parameter);
+    twd_learner_act(&direct->learner, input, parameter);
     assert_int_equal(twd_controller_start(&direct->controller, parameter, UNITS), TWD_OK);
     assert_memory_equal(&start[0], &direct->learner.value, 4);
     assert_memory_equal(&start[1], &direct->learner.noise, 4);
@@ -186,7 +186,7 @@ static void expect_same_state(struct twd_agent_server *server, struct direct *di
 {
     twd_num parameter[UNITS];
     twd_num answer[TWD_INPUTS];
-    twd_agent_policy(&direct->learner, input, parameter);
+    twd_learner_policy(&direct->learner, input, parameter);
     exchange(server, TWD_REQUEST_POLICY, input, TWD_INPUTS, answer, UNITS);
     assert_memory_equal(answer, parameter, sizeof parameter);
     for (uint32_t unit = 0; unit < UNITS; unit++) {
@@ -227,7 +227,7 @@ static void server_equals_the_library(void **state)
         twd_wide reward = twd_wide_from_double(5 * fraction(&random));
         twd_wide td_error;
         exchange(&server, TWD_REQUEST_LEARN, &reward, 1, &td_error, 1);
-        const twd_wide expected = twd_agent_learn(&direct.learner, reward);
+        const twd_wide expected = twd_learner_learn(&direct.learner, reward);
         assert_memory_equal(&td_error, &expected, sizeof expected);
     }
     assert_true(direct.controller.saturations.torque > 0);
@@ -308,7 +308,7 @@ static void refusals_of_the_library_carry_its_code(void **state)
     send_configuration(&server, controller, learner_config());
     expect_refusal(&server, TWD_REQUEST_BEGIN, 0, TWD_REFUSAL_LIBRARY, TWD_ERROR_TICK);
 
-    struct twd_agent_config learner = learner_config();
+    struct twd_learner_config learner = learner_config();
     learner.clip = TWD_NUM(0.7);
     send_configuration(&server, controller_config(), learner);
     expect_refusal(&server, TWD_REQUEST_BEGIN, 0, TWD_REFUSAL_LIBRARY, TWD_ERROR_RANGE);

@@ -179,8 +179,8 @@ static void read_learner(struct twd_transfer *transfer, void *target)
 static void learner_comes_back(void **state)
 {
     uint64_t random = 5;
-    struct twd_agent_config sent;
-    struct twd_agent_config got;
+    struct twd_learner_config sent;
+    struct twd_learner_config got;
     struct twd_frame frame;
     (void)state;
     scribble(&random, &sent, sizeof sent);

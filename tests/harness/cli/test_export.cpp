@@ -68,7 +68,7 @@ TEST_F(ExportCommand, header_names_its_source)
          {"cpg-c with centre turns medium-cube: learned in 5 trials from seed 3", "Set-up paper", "twiddle 0.",
           "#ifndef TWIDDLE_SKILL_MEDIUM_CUBE_CPG_C_H\n#define TWIDDLE_SKILL_MEDIUM_CUBE_CPG_C_H\n",
           "static const struct twd_skill medium_cube_cpg_c_skill = {",
-          "static const struct twd_agent_snapshot medium_cube_cpg_c_learner = {"}) {
+          "static const struct twd_learner_snapshot medium_cube_cpg_c_learner = {"}) {
         EXPECT_TRUE(holds(outcome.output, part)) << part;
     }
     EXPECT_FALSE(holds(outcome.output, "do not reach"));

@@ -67,15 +67,15 @@ TEST(ControllerSetup, open_choices_reach_the_library)
 TEST(ControllerSetup, open_choices_reach_the_learner)
 {
     const sim::LearnerSetup plain = mid_a().learner;
-    EXPECT_EQ(agent_config(plain, find_model("cpg-h"), true, 10, 1).silent_units, 0U);
-    EXPECT_EQ(agent_config(plain, find_model("cpg-h"), true, 10, 1).learned_value, TWD_LEARN_FROM_CLIPPED);
+    EXPECT_EQ(learner_config(plain, find_model("cpg-h"), true, 10, 1).silent_units, 0U);
+    EXPECT_EQ(learner_config(plain, find_model("cpg-h"), true, 10, 1).learned_value, TWD_LEARN_FROM_CLIPPED);
     const sim::LearnerSetup changed =
         sim::load_setup(TWIDDLE_MODELS, "mid-a",
                         {{"learner.selector_noise", "none"}, {"learner.learned_value", "unclipped"}})
             .learner;
-    EXPECT_EQ(agent_config(changed, find_model("cpg-h"), true, 10, 1).silent_units, 3U);
-    EXPECT_EQ(agent_config(changed, find_model("cpg-c"), true, 10, 1).silent_units, 0U);
-    EXPECT_EQ(agent_config(changed, find_model("cpg-h"), true, 10, 1).learned_value, TWD_LEARN_FROM_UNCLIPPED);
+    EXPECT_EQ(learner_config(changed, find_model("cpg-h"), true, 10, 1).silent_units, 3U);
+    EXPECT_EQ(learner_config(changed, find_model("cpg-c"), true, 10, 1).silent_units, 0U);
+    EXPECT_EQ(learner_config(changed, find_model("cpg-h"), true, 10, 1).learned_value, TWD_LEARN_FROM_UNCLIPPED);
 }
 
 // The stable PD law is told each joint's inertia and the substep, and leaves ranges and limit alone. Expected: Kp / D and

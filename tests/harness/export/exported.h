@@ -20,7 +20,7 @@ struct exported {
     const char *number;
     const char *folder;
     const struct twd_skill *skill;
-    const struct twd_agent_snapshot *learner;
+    const struct twd_learner_snapshot *learner;
     twd_wide reward_per_rad;
 };
 

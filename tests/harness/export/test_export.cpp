@@ -131,19 +131,19 @@ TEST(Export, skill_moves_as_the_replay)
 }
 
 // The agent as it is after the run's trials, from its seed and the rotations that it was rewarded for.
-twd_agent trained_again(const exported &run, const LearnerInput &input)
+twd_learner trained_again(const exported &run, const LearnerInput &input)
 {
     const record::RunSpecification specification = specification_of(run);
     const sim::LearnerSetup learner = setup_of(specification).learner;
-    const twd_agent_config config = agent_config(learner, find_model(specification.model), specification.centre,
-                                                 specification.trials, specification.seed);
-    twd_agent agent{};
-    EXPECT_EQ(twd_agent_init(&agent, &config), TWD_OK);
+    const twd_learner_config config = learner_config(learner, find_model(specification.model), specification.centre,
+                                                     specification.trials, specification.seed);
+    twd_learner agent{};
+    EXPECT_EQ(twd_learner_init(&agent, &config), TWD_OK);
     const auto columns = record::read_csv_columns(runs / run.folder / "trials.csv", {"rotation_rad"});
     for (const double rotation_rad : columns[0]) {
         std::array<twd_num, TWD_MAX_UNITS> parameter{};
-        twd_agent_act(&agent, input.data(), parameter.data());
-        (void)twd_agent_learn(&agent, twd_wide_from_double(rotation_rad * learner.reward_per_rad));
+        twd_learner_act(&agent, input.data(), parameter.data());
+        (void)twd_learner_learn(&agent, twd_wide_from_double(rotation_rad * learner.reward_per_rad));
     }
     return agent;
 }
@@ -156,19 +156,19 @@ TEST(Export, learner_goes_on_as_the_runs)
         const record::RunSpecification specification = specification_of(run);
         const sim::LearnerSetup learner = setup_of(specification).learner;
         const LearnerInput input = learner_input(sim::read_object(TWIDDLE_MODELS, specification.object), learner);
-        twd_agent theirs = trained_again(run, input);
-        twd_agent ours{};
-        ASSERT_EQ(twd_agent_restore(&ours, run.learner), TWD_OK);
+        twd_learner theirs = trained_again(run, input);
+        twd_learner ours{};
+        ASSERT_EQ(twd_learner_restore(&ours, run.learner), TWD_OK);
         EXPECT_EQ(ours.trial, specification.trials);
         EXPECT_EQ(run.reward_per_rad, twd_wide_from_double(learner.reward_per_rad));
         for (int trial = 0; trial < 50; ++trial) {
             std::array<twd_num, TWD_MAX_UNITS> a{};
             std::array<twd_num, TWD_MAX_UNITS> b{};
-            twd_agent_act(&ours, run.learner->input, a.data());
-            twd_agent_act(&theirs, input.data(), b.data());
+            twd_learner_act(&ours, run.learner->input, a.data());
+            twd_learner_act(&theirs, input.data(), b.data());
             ASSERT_EQ(a, b) << trial;
             const twd_wide reward = twd_wide_of_num(a[0] - a[1]);
-            ASSERT_EQ(twd_agent_learn(&ours, reward), twd_agent_learn(&theirs, reward)) << trial;
+            ASSERT_EQ(twd_learner_learn(&ours, reward), twd_learner_learn(&theirs, reward)) << trial;
         }
     }
 }
@@ -182,12 +182,12 @@ TEST(Export, runs_of_other_number_types_are_taken)
         const record::Policy policy = record::read_policy(runs / run.folder / "policy.json");
         twd_controller controller{};
         ASSERT_EQ(twd_skill_start(run.skill, &controller), TWD_OK);
-        twd_agent agent{};
-        ASSERT_EQ(twd_agent_restore(&agent, run.learner), TWD_OK);
+        twd_learner agent{};
+        ASSERT_EQ(twd_learner_restore(&agent, run.learner), TWD_OK);
         EXPECT_TRUE(same(agent.random.state, policy.random_state.data(), 4));
         EXPECT_EQ(agent.trial, policy.trials);
         std::array<twd_num, TWD_MAX_UNITS> parameter{};
-        twd_agent_policy(&agent, run.learner->input, parameter.data());
+        twd_learner_policy(&agent, run.learner->input, parameter.data());
         ASSERT_EQ(run.skill->parameters, policy.parameters.size());
         for (std::size_t i = 0; i < policy.parameters.size(); ++i) {
             EXPECT_NEAR(twd_num_to_double(run.skill->parameter[i]), policy.parameters[i].second, 6e-8) << i;

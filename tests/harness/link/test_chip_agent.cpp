@@ -86,7 +86,7 @@ AgentSetup setup()
 {
     const sim::Setup paper = sim::load_setup(TWIDDLE_MODELS, "paper");
     const twd_model &model = find_model("cpg-h");
-    return {paper.name, controller_config(paper, model, true), agent_config(paper.learner, model, true, 20, 7)};
+    return {paper.name, controller_config(paper, model, true), learner_config(paper.learner, model, true, 20, 7)};
 }
 
 // Make the word `index` of each answer of `type` another.

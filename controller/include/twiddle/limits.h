@@ -1,9 +1,9 @@
-/* config.h: the compile-time sizes of every array in the library.
+/* limits.h: the compile-time sizes of every array in the library.
  *
  * All memory is static, so the largest network is decided here. Each limit may be raised or lowered with
  * -DNAME=value; the library and the code that includes its headers must then be compiled with the same value. */
-#ifndef TWIDDLE_CONFIG_H
-#define TWIDDLE_CONFIG_H
+#ifndef TWIDDLE_LIMITS_H
+#define TWIDDLE_LIMITS_H
 
 /* Oscillators of one controller, of all its CPGs together. */
 #ifndef TWD_MAX_OSCILLATORS

@@ -1,7 +1,7 @@
-/* learner_config.h: the compile-time sizes of the learner's arrays. Raise or lower them with -DNAME=value, the same for the
+/* learner_limits.h: the compile-time sizes of the learner's arrays. Raise or lower them with -DNAME=value, the same for the
  * library and the code that includes its headers. */
-#ifndef TWIDDLE_LEARNER_CONFIG_H
-#define TWIDDLE_LEARNER_CONFIG_H
+#ifndef TWIDDLE_LEARNER_LIMITS_H
+#define TWIDDLE_LEARNER_LIMITS_H
 
 /* Actor units: the parameters of a model, CPG-H's 22 at most by default. */
 #ifndef TWD_MAX_UNITS

@@ -1,10 +1,10 @@
-/* agent.h: the actor-critic learner of one run: act at a trial's start, learn from its reward at its end. It can be
+/* learner.h: the actor-critic learner of one run: act at a trial's start, learn from its reward at its end. It can be
  * made anew, or from constants that an earlier one left.
  *
  * It knows inputs, parameters in (0, 1) and rewards; neither joints nor objects. The same seed and the same
  * rewards give the same parameters. */
-#ifndef TWIDDLE_AGENT_H
-#define TWIDDLE_AGENT_H
+#ifndef TWIDDLE_LEARNER_H
+#define TWIDDLE_LEARNER_H
 
 #include <twiddle/actor.h>
 #include <twiddle/critic.h>
@@ -27,8 +27,8 @@ struct twd_noise_schedule {
 /* The half-range in force at `trial`, from 0. */
 twd_num twd_noise_half_range(const struct twd_noise_schedule *schedule, uint32_t trial);
 
-/* All that an agent needs to know. Copied by init. */
-struct twd_agent_config {
+/* All that a learner needs to know. Copied by init. */
+struct twd_learner_config {
     size_t units;         /* parameters of the model (twd_model_parameters) */
     size_t inputs;        /* units of the input map */
     twd_num actor_rate;   /* eta_A, [0, 1]; the paper's is 0.1 */
@@ -42,8 +42,8 @@ struct twd_agent_config {
 };
 
 /* The learner. Fields may be read. */
-struct twd_agent {
-    struct twd_agent_config config;
+struct twd_learner {
+    struct twd_learner_config config;
     struct twd_random random;
     struct twd_actor actor;
     struct twd_critic critic;
@@ -53,31 +53,31 @@ struct twd_agent {
     uint32_t trial;                /* trials learned from so far */
 };
 
-/* What an agent has come to, as constants: const, in flash. Pointers refer to arrays as long as `config` says. */
-struct twd_agent_snapshot {
-    struct twd_agent_config config;
+/* What a learner has come to, as constants: const, in flash. Pointers refer to arrays as long as `config` says. */
+struct twd_learner_snapshot {
+    struct twd_learner_config config;
     struct twd_random random;
     uint32_t trial;                /* trials learned from so far */
     const twd_num *actor_weight;   /* [units][inputs], unit by unit */
     const twd_wide *critic_weight; /* [inputs] */
-    const twd_num *input;          /* [inputs] what the trials acted on: for twd_agent_act and twd_agent_policy */
+    const twd_num *input;          /* [inputs] what the trials acted on: for twd_learner_act and twd_learner_policy */
 };
 
-/* Make an untrained agent. Draws: the weights unit by unit. Errors: sizes beyond the arrays, a field out of range. */
-enum twd_error twd_agent_init(struct twd_agent *agent, const struct twd_agent_config *config);
+/* Make an untrained learner. Draws: the weights unit by unit. Errors: sizes beyond the arrays, a field out of range. */
+enum twd_error twd_learner_init(struct twd_learner *learner, const struct twd_learner_config *config);
 
-/* Make the agent that `snapshot` was taken of: the next trial is what it would have been there. Errors: those of init,
+/* Make the learner that `snapshot` was taken of: the next trial is what it would have been there. Errors: those of init,
  * a null table, an all-zero random state. */
-enum twd_error twd_agent_restore(struct twd_agent *agent, const struct twd_agent_snapshot *snapshot);
+enum twd_error twd_learner_restore(struct twd_learner *learner, const struct twd_learner_snapshot *snapshot);
 
 /* Start a trial on `input`, [inputs]: writes the explored parameters, [units]. */
-void twd_agent_act(struct twd_agent *agent, const twd_num *input, twd_num *parameter);
+void twd_learner_act(struct twd_learner *learner, const twd_num *input, twd_num *parameter);
 
 /* End the trial that act started with its reward; returns the TD error S. A reward that is not finite counts as 0. */
-twd_wide twd_agent_learn(struct twd_agent *agent, twd_wide reward);
+twd_wide twd_learner_learn(struct twd_learner *learner, twd_wide reward);
 
-/* The learned policy: the parameters for `input` without noise, [units]; leaves the agent as it was. */
-void twd_agent_policy(const struct twd_agent *agent, const twd_num *input, twd_num *parameter);
+/* The learned policy: the parameters for `input` without noise, [units]; leaves the learner as it was. */
+void twd_learner_policy(const struct twd_learner *learner, const twd_num *input, twd_num *parameter);
 
 #ifdef __cplusplus
 }
