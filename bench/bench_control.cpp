@@ -44,7 +44,7 @@ void training_run(benchmark::State &state, sim::Stepper stepper, const char *obj
 twd_controller controller_of_h()
 {
     const twd_controller_config config =
-        controller_config(sim::load_setup(bench::models_dir, "mid-a"), twd_model_h, true);
+        controller_config(settings::load_setup(bench::models_dir, "mid-a"), twd_model_h, true);
     twd_controller controller{};
     if (twd_controller_init(&controller, &config) != TWD_OK) std::abort();
     const Parameters parameters = bench::random_parameters(twd_model_h, 1, seed).front();
@@ -84,7 +84,7 @@ BENCHMARK(controller_torque);
 // One trial of the learner of CPG-H: exploring, and learning from a reward.
 void learner_act_and_learn(benchmark::State &state)
 {
-    const sim::LearnerSetup learner = sim::load_setup(bench::models_dir, "mid-a").learner;
+    const settings::LearnerSetup learner = settings::load_setup(bench::models_dir, "mid-a").learner;
     const twd_learner_config config = learner_config(learner, twd_model_h, true, 5000, seed);
     twd_learner agent{};
     if (twd_learner_init(&agent, &config) != TWD_OK) std::abort();

@@ -66,7 +66,7 @@ double median(std::vector<double> values)
     return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-std::vector<sim::Override> with_substeps(int substeps)
+std::vector<settings::Override> with_substeps(int substeps)
 {
     return {{"physics.substeps", std::to_string(substeps)}};
 }

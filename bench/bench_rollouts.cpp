@@ -36,11 +36,11 @@ struct Options {
     std::uint32_t seed = 1;
 };
 
-sim::Setup load_setup(const Options &options)
+settings::Setup load_setup(const Options &options)
 {
-    std::vector<sim::Override> overrides;
+    std::vector<settings::Override> overrides;
     if (options.substeps > 0) overrides.emplace_back("physics.substeps", std::to_string(options.substeps));
-    return sim::load_setup(models_dir, options.setup, overrides);
+    return settings::load_setup(models_dir, options.setup, overrides);
 }
 
 sim::HandModel load_hand()
@@ -74,9 +74,9 @@ void print_desired(const Options &options)
         for (int step = 0; step < trial_steps; ++step) {
             std::array<twd_num, TWD_MAX_JOINTS> desired_rad{};
             twd_controller_tick(&controller, desired_rad.data());
-            std::printf("%.17g,%.17g,%.17g,%.17g\n", twd_num_to_double(desired_rad[sim::fei]),
-                        twd_num_to_double(desired_rad[sim::aai]), twd_num_to_double(desired_rad[sim::fet]),
-                        twd_num_to_double(desired_rad[sim::ot]));
+            std::printf("%.17g,%.17g,%.17g,%.17g\n", twd_num_to_double(desired_rad[fei]),
+                        twd_num_to_double(desired_rad[aai]), twd_num_to_double(desired_rad[fet]),
+                        twd_num_to_double(desired_rad[ot]));
         }
     }
 }
@@ -110,7 +110,7 @@ void print_speed(const Options &options)
 class Mechanics
 {
   public:
-    Mechanics(const sim::HandModel &model, const sim::Setup &setup)
+    Mechanics(const sim::HandModel &model, const settings::Setup &setup)
         : hand_(model, setup.hand, sim::HandHold::welded), gravity_m_s2_(sim::gravity_palm_m_s2(setup.physics))
     {
     }
@@ -120,37 +120,37 @@ class Mechanics
         return hand_;
     }
 
-    void set_state(const sim::JointVector &angle_rad, const sim::JointVector &velocity_rad_s)
+    void set_state(const JointVector &angle_rad, const JointVector &velocity_rad_s)
     {
-        std::vector<double> posture_rad(sim::joint_count);
-        for (std::size_t j = 0; j < sim::joint_count; ++j)
+        std::vector<double> posture_rad(joint_count);
+        for (std::size_t j = 0; j < joint_count; ++j)
             posture_rad.at(hand_.controlled()[j]) = angle_rad[j];
         hand_.set_posture(posture_rad);
-        for (std::size_t j = 0; j < sim::joint_count; ++j)
+        for (std::size_t j = 0; j < joint_count; ++j)
             hand_.body().setJointVel(hand_.controlled()[j], velocity_rad_s[j]);
     }
 
     // Accelerations under gravity without joint torques, rad/s2; also prepares response_to().
-    sim::JointVector free_acceleration_rad_s2()
+    JointVector free_acceleration_rad_s2()
     {
         btMultiBody &body = hand_.body();
         body.clearForcesAndTorques();
         for (int link = 0; link < body.getNumLinks(); ++link)
             body.addLinkForce(link, gravity_m_s2_ * body.getLinkMass(link));
-        sim::JointVector acceleration_rad_s2{};
+        JointVector acceleration_rad_s2{};
         const auto &joints = hand_.controlled();
-        for (std::size_t j = 0; j < sim::joint_count; ++j)
+        for (std::size_t j = 0; j < joint_count; ++j)
             acceleration_rad_s2[j] = -body.getJointVel(joints[j]);
         // Bullet adds acceleration x time to the velocities; the time is 1 s.
         body.computeAccelerationsArticulatedBodyAlgorithmMultiDof(1, scalars_, vectors_, matrices_, false, false,
                                                                   false);
-        for (std::size_t j = 0; j < sim::joint_count; ++j)
+        for (std::size_t j = 0; j < joint_count; ++j)
             acceleration_rad_s2[j] += body.getJointVel(joints[j]);
         return acceleration_rad_s2;
     }
 
     // Accelerations under 1 N m on `joint` alone: a column of the inverse mass matrix, 1/(kg m2).
-    sim::JointVector response_to(std::size_t joint)
+    JointVector response_to(std::size_t joint)
     {
         constexpr int base_freedoms = 6; // Bullet counts the fixed base's
         btAlignedObjectArray<btScalar> torque_nm, response;
@@ -158,8 +158,8 @@ class Mechanics
         response.resize(base_freedoms + hand_.body().getNumDofs(), 0);
         torque_nm[base_freedoms + hand_.controlled()[joint]] = 1;
         hand_.body().calcAccelerationDeltasMultiDof(&torque_nm[0], &response[0], scalars_, vectors_);
-        sim::JointVector column{};
-        for (std::size_t j = 0; j < sim::joint_count; ++j)
+        JointVector column{};
+        for (std::size_t j = 0; j < joint_count; ++j)
             column[j] = response[base_freedoms + hand_.controlled()[j]];
         return column;
     }
@@ -180,7 +180,7 @@ void print_values(const char *separator, std::initializer_list<double> values)
     }
 }
 
-void print_joints(const char *separator, const sim::JointVector &v)
+void print_joints(const char *separator, const JointVector &v)
 {
     print_values(separator, {v[0], v[1], v[2], v[3]});
 }
@@ -194,9 +194,9 @@ void print_mechanics(const Options &options)
     std::mt19937 random(options.seed);
     std::uniform_real_distribution<double> share(0, 1), velocity_rad_s(-10, 10);
     for (int set = 0; set < options.sets; ++set) {
-        sim::JointVector angle_rad{}, velocity{};
-        for (std::size_t j = 0; j < sim::joint_count; ++j) {
-            const sim::HandLink &link = model.links[model.link_of_joint(sim::joint_urdf_names[j])];
+        JointVector angle_rad{}, velocity{};
+        for (std::size_t j = 0; j < joint_count; ++j) {
+            const sim::HandLink &link = model.links[model.link_of_joint(joint_urdf_names[j])];
             angle_rad[j] = link.lower_rad + share(random) * (link.upper_rad - link.lower_rad);
             velocity[j] = velocity_rad_s(random);
         }
@@ -208,7 +208,7 @@ void print_mechanics(const Options &options)
             print_values(",", {tip_m.x(), tip_m.y(), tip_m.z()});
         }
         print_joints(",", mechanics.free_acceleration_rad_s2());
-        for (std::size_t j = 0; j < sim::joint_count; ++j)
+        for (std::size_t j = 0; j < joint_count; ++j)
             print_joints(",", mechanics.response_to(j));
         std::puts("");
     }

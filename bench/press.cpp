@@ -23,7 +23,7 @@ experiment::Parameters random_posture(std::mt19937 &random)
     return values;
 }
 
-std::vector<sim::Override> out_of_reach(int fingers, std::vector<sim::Override> overrides)
+std::vector<settings::Override> out_of_reach(int fingers, std::vector<settings::Override> overrides)
 {
     if (fingers == 0) overrides.emplace_back("object.hinge_x_m", "-0.2");
     return overrides;
@@ -31,7 +31,7 @@ std::vector<sim::Override> out_of_reach(int fingers, std::vector<sim::Override> 
 
 } // namespace
 
-Press::Press(const std::string &object, int fingers, const std::vector<sim::Override> &overrides, std::uint32_t seed)
+Press::Press(const std::string &object, int fingers, const std::vector<settings::Override> &overrides, std::uint32_t seed)
     : runner_(make_runner(sim::Stepper::fast, object, out_of_reach(fingers, overrides)))
 {
     constexpr std::size_t wanted = 20, most = 2000;

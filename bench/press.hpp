@@ -16,7 +16,7 @@ class Press
 {
   public:
     // Tries up to 2,000 postures, the same for the same seed. Throws std::runtime_error if none of them counts.
-    Press(const std::string &object, int fingers, const std::vector<sim::Override> &overrides, std::uint32_t seed);
+    Press(const std::string &object, int fingers, const std::vector<settings::Override> &overrides, std::uint32_t seed);
 
     // Control steps a second of the trials' second halves, of whole passes for at least `seconds` in all.
     double steps_per_s(double seconds);

@@ -30,12 +30,12 @@ std::vector<experiment::Parameters> random_parameters(const twd_model &model, st
 }
 
 experiment::TrialRunner make_runner(sim::Stepper stepper, const std::string &object,
-                                    const std::vector<sim::Override> &overrides)
+                                    const std::vector<settings::Override> &overrides)
 {
     return {stepper,
             sim::read_hand_model(models_dir / "icub_right_hand.urdf"),
             sim::read_object(models_dir, object),
-            sim::load_setup(models_dir, setup_name, overrides),
+            settings::load_setup(models_dir, setup_name, overrides),
             sim::HandHold::welded,
             twd_model_c,
             true};
@@ -51,7 +51,7 @@ record::RunSpecification training_run(sim::Stepper stepper, const std::string &o
     specification.hand = "welded";
     specification.stepper = name_of(stepper);
     specification.setup = setup_name;
-    specification.settings = sim::load_setup(models_dir, setup_name).settings;
+    specification.settings = settings::load_setup(models_dir, setup_name).settings;
     return specification;
 }
 

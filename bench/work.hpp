@@ -3,7 +3,7 @@
 
 #include "experiment/trial.hpp"
 #include "record/run_json.hpp"
-#include "sim/setup.hpp"
+#include "settings/setup.hpp"
 #include "sim/world.hpp"
 
 #include <array>
@@ -25,7 +25,7 @@ std::vector<experiment::Parameters> random_parameters(const twd_model &model, st
 
 // Trials of CPG-C in one world. Throws std::runtime_error for overrides that are none.
 experiment::TrialRunner make_runner(sim::Stepper stepper, const std::string &object,
-                                    const std::vector<sim::Override> &overrides = {});
+                                    const std::vector<settings::Override> &overrides = {});
 
 // A training run of CPG-H, as `twiddle train` does it.
 record::RunSpecification training_run(sim::Stepper stepper, const std::string &object, std::uint32_t trials);

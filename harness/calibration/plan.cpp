@@ -1,6 +1,6 @@
 #include "plan.hpp"
 
-#include "sim/manifest_file.hpp"
+#include "settings/manifest_file.hpp"
 
 #include <limits>
 
@@ -10,9 +10,9 @@ namespace twiddle::calibration
 namespace
 {
 
-using sim::ManifestFile;
-using sim::Names;
-using sim::Pointer;
+using settings::ManifestFile;
+using settings::Names;
+using settings::Pointer;
 
 constexpr std::int64_t most_points = 1'000'000;
 constexpr std::int64_t most_trials = 1'000'000;
@@ -50,6 +50,31 @@ Variable read_variable(const ManifestFile &file, const Pointer &place)
     return variable;
 }
 
+// The settings that are not searched.
+settings::Setup read_base(const ManifestFile &file, const std::filesystem::path &setups_dir)
+{
+    const Pointer place("/setup");
+    const std::string defaults = (setups_dir / "common.toml").string();
+    const settings::Setup base = settings::load_setup(
+        setups_dir, file.has(place) ? file.name(place, settings::setup_names(setups_dir), "") : defaults);
+    const Pointer own("/settings");
+    if (!file.has(own)) return base;
+    const std::string expected = "{ \"section.key\" = value }, the names in quotes";
+    const nlohmann::json &changes = file.at(own, expected);
+    if (!changes.is_object()) file.fail_value(own, expected);
+    nlohmann::json merged = nlohmann::json::parse(base.settings);
+    for (const auto &[name, value] : changes.items()) {
+        const std::size_t dot = name.find('.');
+        if (dot == std::string::npos) file.fail_value(own, expected);
+        merged[name.substr(0, dot)][name.substr(dot + 1)] = value;
+    }
+    try {
+        return settings::setup_from_settings(merged.dump(), base.name, "settings");
+    } catch (const std::runtime_error &error) {
+        file.fail(own, error.what());
+    }
+}
+
 // Refuse a variable that no set-up takes, before any run finds out.
 void require_setting(const ManifestFile &file, const Pointer &place, const CalibrationPlan &plan,
                      const Variable &variable)
@@ -57,8 +82,8 @@ void require_setting(const ManifestFile &file, const Pointer &place, const Calib
     for (const double corner : {0.0, 1.0}) {
         try {
             const auto values = values_at({variable}, {corner});
-            sim::setup_from_settings(with_values(plan.setup.settings, {variable}, values), plan.name,
-                                     "at " + values[0].dump());
+            settings::setup_from_settings(with_values(plan.setup.settings, {variable}, values), plan.name,
+                                          "at " + values[0].dump());
         } catch (const std::runtime_error &error) {
             file.fail(place, error.what());
         }
@@ -67,14 +92,15 @@ void require_setting(const ManifestFile &file, const Pointer &place, const Calib
 
 } // namespace
 
-CalibrationPlan read_calibration_plan(const std::filesystem::path &path, const std::filesystem::path &models_dir)
+CalibrationPlan read_calibration_plan(const std::filesystem::path &path, const std::filesystem::path &models_dir,
+                                      const std::filesystem::path &setups_dir)
 {
     const ManifestFile file(path);
     const Pointer top;
-    file.require_keys(top, {"setup", "seed", "objects", "screening", "finalists", "reach", "variables"});
+    file.require_keys(top, {"setup", "settings", "seed", "objects", "screening", "finalists", "reach", "variables"});
     CalibrationPlan plan;
     plan.name = path.stem().string();
-    plan.setup = sim::load_setup(models_dir, file.name(top / "setup", sim::setup_names(models_dir), "mid-a"));
+    plan.setup = read_base(file, setups_dir);
     plan.objects = file.names(top / "objects", sim::object_names(models_dir));
 
     const Pointer screening = top / "screening";

@@ -1,6 +1,7 @@
-// plan.hpp: what a calibration does, from one file (models/calibrations/NAME.toml):
+// plan.hpp: what a calibration does, from one file (experiments/calibrations/NAME.toml):
 //
-//     setup = "mid-a"                  # gives every setting that is not searched
+//     setup = "near"                   # optional: gives the settings that are not searched; else their defaults count
+//     settings = { "object.cylinder_height_m" = 0.04 }   # optional: settings that are not searched, over these
 //     seed = 1                         # of the search
 //     objects = ["small-sphere"]       # compared with the paper; all other objects are held out
 //     [screening]                      # many points, cheaply
@@ -30,7 +31,7 @@
 #include "reach.hpp"
 #include "search.hpp"
 #include "search_space.hpp"
-#include "sim/setup.hpp"
+#include "settings/setup.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -48,7 +49,7 @@ struct Effort {
 
 struct CalibrationPlan {
     std::string name; // the file's, without .toml
-    sim::Setup setup;
+    settings::Setup setup;
     std::vector<std::string> objects;
     SearchPlan search;
     Effort screening;
@@ -58,7 +59,9 @@ struct CalibrationPlan {
     std::vector<Variable> variables;
 };
 
-// Read `path`. Throws std::runtime_error with one sentence that names file, line, key and what was expected.
-CalibrationPlan read_calibration_plan(const std::filesystem::path &path, const std::filesystem::path &models_dir);
+// Read `path`; objects are those of `models_dir`, set-ups those of `setups_dir`. Throws std::runtime_error with one sentence
+// that names file, line, key and what was expected.
+CalibrationPlan read_calibration_plan(const std::filesystem::path &path, const std::filesystem::path &models_dir,
+                                      const std::filesystem::path &setups_dir);
 
 } // namespace twiddle::calibration

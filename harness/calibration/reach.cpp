@@ -1,5 +1,7 @@
 #include "reach.hpp"
 
+#include "settings/constants.hpp"
+
 #include "sim/clearance.hpp"
 #include "sim/object_body.hpp"
 
@@ -10,8 +12,6 @@ namespace twiddle::calibration
 
 namespace
 {
-
-constexpr double rad_per_deg = 0.017453292519943295;
 
 // From `first` to `last` in steps of `step`, the ends included where a step meets them.
 std::vector<double> values_between(double first, double last, double step)
@@ -30,12 +30,12 @@ bool holds(const std::pair<double, double> &window, double value)
 
 } // namespace
 
-Reach::Reach(const sim::HandModel &hand, const sim::Setup &setup)
+Reach::Reach(const sim::HandModel &hand, const settings::Setup &setup)
     : setup_(setup), hand_(hand, setup.hand, sim::HandHold::welded)
 {
 }
 
-bool Reach::touches(sim::Finger finger, const sim::ObjectSpec &object, const sim::JointVector &angle_rad)
+bool Reach::touches(sim::Finger finger, const sim::ObjectSpec &object, const JointVector &angle_rad)
 {
     std::vector<double> posture;
     for (const sim::ArticulatedLink &link : hand_.links()) {
@@ -58,8 +58,8 @@ bool Reach::straight_hand_is_clear(const sim::ObjectSpec &object)
     return !touches(sim::Finger::index, object, {}) && !touches(sim::Finger::thumb, object, {});
 }
 
-std::optional<double> Reach::first_contact_deg(sim::Finger finger, const sim::ObjectSpec &object,
-                                               sim::JointVector angle_rad, sim::Joint flexion, double last_deg)
+std::optional<double> Reach::first_contact_deg(sim::Finger finger, const sim::ObjectSpec &object, JointVector angle_rad,
+                                               Joint flexion, double last_deg)
 {
     for (const double flexion_deg : values_between(0, last_deg, reach_step_deg)) {
         angle_rad[flexion] = flexion_deg * rad_per_deg;
@@ -70,16 +70,16 @@ std::optional<double> Reach::first_contact_deg(sim::Finger finger, const sim::Ob
 
 std::optional<double> Reach::index_contact_deg(const sim::ObjectSpec &object, double aai_deg, double last_deg)
 {
-    sim::JointVector angle_rad{};
-    angle_rad[sim::aai] = aai_deg * rad_per_deg;
-    return first_contact_deg(sim::Finger::index, object, angle_rad, sim::fei, last_deg);
+    JointVector angle_rad{};
+    angle_rad[aai] = aai_deg * rad_per_deg;
+    return first_contact_deg(sim::Finger::index, object, angle_rad, fei, last_deg);
 }
 
 std::optional<double> Reach::thumb_contact_deg(const sim::ObjectSpec &object, double ot_deg, double last_deg)
 {
-    sim::JointVector angle_rad{};
-    angle_rad[sim::ot] = ot_deg * rad_per_deg;
-    return first_contact_deg(sim::Finger::thumb, object, angle_rad, sim::fet, last_deg);
+    JointVector angle_rad{};
+    angle_rad[ot] = ot_deg * rad_per_deg;
+    return first_contact_deg(sim::Finger::thumb, object, angle_rad, fet, last_deg);
 }
 
 bool Reach::index_fits(const sim::ObjectSpec &object, const ReachWindow &window)

@@ -1,10 +1,10 @@
 // reach.hpp: where the fingers first touch an object, the geometry that a set-up must have before it is worth a training run.
 #pragma once
 
+#include "settings/setup.hpp"
 #include "sim/articulated_hand.hpp"
 #include "sim/hand_model.hpp"
 #include "sim/object.hpp"
-#include "sim/setup.hpp"
 
 #include <optional>
 #include <utility>
@@ -30,7 +30,7 @@ constexpr double opposition_step_deg = 10;
 class Reach
 {
   public:
-    Reach(const sim::HandModel &hand, const sim::Setup &setup);
+    Reach(const sim::HandModel &hand, const settings::Setup &setup);
 
     // Whether no link of the straight hand touches the object.
     bool straight_hand_is_clear(const sim::ObjectSpec &object);
@@ -43,13 +43,13 @@ class Reach
     bool fits(const std::vector<sim::ObjectSpec> &objects, const ReachWindow &window);
 
   private:
-    bool touches(sim::Finger finger, const sim::ObjectSpec &object, const sim::JointVector &angle_rad);
-    std::optional<double> first_contact_deg(sim::Finger finger, const sim::ObjectSpec &object,
-                                            sim::JointVector angle_rad, sim::Joint flexion, double last_deg);
+    bool touches(sim::Finger finger, const sim::ObjectSpec &object, const JointVector &angle_rad);
+    std::optional<double> first_contact_deg(sim::Finger finger, const sim::ObjectSpec &object, JointVector angle_rad,
+                                            Joint flexion, double last_deg);
     bool index_fits(const sim::ObjectSpec &object, const ReachWindow &window);
     bool thumb_fits(const sim::ObjectSpec &object, const ReachWindow &window);
 
-    sim::Setup setup_;
+    settings::Setup setup_;
     sim::ArticulatedHand hand_;
 };
 

@@ -2,6 +2,8 @@
 
 #include "record/number_text.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -72,8 +74,10 @@ std::vector<json> values_at(const std::vector<Variable> &variables, const Point 
     return values;
 }
 
-json with_values(json settings, const std::vector<Variable> &variables, const std::vector<json> &values)
+std::string with_values(const std::string &base_settings, const std::vector<Variable> &variables,
+                        const std::vector<json> &values)
 {
+    json settings = json::parse(base_settings);
     for (std::size_t i = 0; i < variables.size(); ++i) {
         const std::string &name = variables[i].setting;
         if (name == gains_variable) {
@@ -83,13 +87,13 @@ json with_values(json settings, const std::vector<Variable> &variables, const st
         const std::size_t dot = name.find('.');
         settings[name.substr(0, dot)][name.substr(dot + 1)] = values[i];
     }
-    return settings;
+    return settings.dump();
 }
 
-std::string setup_text(const json &base_settings, const std::vector<Variable> &variables,
+std::string setup_text(const std::string &base_settings, const std::vector<Variable> &variables,
                        const std::vector<json> &values, const std::vector<std::string> &comments)
 {
-    const json settings = with_values(base_settings, variables, values);
+    const json settings = json::parse(with_values(base_settings, variables, values));
     std::map<std::string, std::string> sections;
     const auto add = [&](const std::string &section, const std::string &key) {
         sections[section] += key + " = " + toml_text(settings.at(section).at(key)) + "\n";

@@ -29,12 +29,12 @@ using Point = std::vector<double>;
 // What the variables are at `point`. Numbers are rounded to three significant digits, to be settings that can be written down.
 std::vector<nlohmann::json> values_at(const std::vector<Variable> &variables, const Point &point);
 
-// `settings` (a set-up's, merged) with the variables' values in their places.
-nlohmann::json with_values(nlohmann::json settings, const std::vector<Variable> &variables,
-                           const std::vector<nlohmann::json> &values);
+// `base_settings` (settings::Setup::settings) with the variables' values in their places.
+std::string with_values(const std::string &base_settings, const std::vector<Variable> &variables,
+                        const std::vector<nlohmann::json> &values);
 
 // `values` as a set-up file that overrides just these settings, with `comments` before them.
-std::string setup_text(const nlohmann::json &base_settings, const std::vector<Variable> &variables,
+std::string setup_text(const std::string &base_settings, const std::vector<Variable> &variables,
                        const std::vector<nlohmann::json> &values, const std::vector<std::string> &comments);
 
 } // namespace twiddle::calibration

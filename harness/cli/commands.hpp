@@ -1,29 +1,25 @@
-// commands.hpp: the program's commands. Each adds itself to the command line; main.cpp runs the one that was given.
+// commands.hpp: the program's commands, one source each. Each returns the program's exit status.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "options.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace twiddle::cli
 {
 
-// What a command line is made into.
-struct Session {
-    std::vector<std::string> arguments; // as typed, the program's name first
-    std::function<int()> run;           // the command that was given; returns the exit status
-};
+// The command line as typed, the program's name first.
+using Arguments = std::vector<std::string>;
 
-void add_train(CLI::App &app, Session &session);
-void add_sweep(CLI::App &app, Session &session);
-void add_calibrate(CLI::App &app, Session &session);
-void add_replay(CLI::App &app, Session &session);
-void add_rollout(CLI::App &app, Session &session);
-void add_export(CLI::App &app, Session &session);
-void add_summarize(CLI::App &app, Session &session);
-void add_compare_claims(CLI::App &app, Session &session);
-void add_info(CLI::App &app, Session &session);
+int run_command(const TrainOptions &options, const Arguments &arguments);
+int run_command(const SweepOptions &options, const Arguments &arguments);
+int run_command(const CalibrateOptions &options, const Arguments &arguments);
+int run_command(const ReplayOptions &options, const Arguments &arguments);
+int run_command(const RolloutOptions &options, const Arguments &arguments);
+int run_command(const ExportOptions &options, const Arguments &arguments);
+int run_command(const SummarizeOptions &options, const Arguments &arguments);
+int run_command(const CompareClaimsOptions &options, const Arguments &arguments);
+int run_command(const InfoOptions &options, const Arguments &arguments);
 
 } // namespace twiddle::cli

@@ -1,10 +1,9 @@
+#include "claims/claims_comparison.hpp"
 #include "commands.hpp"
-#include "errors.hpp"
 #include "record/json_file.hpp"
-#include "results/claims_comparison.hpp"
+#include "runs/usage_error.hpp"
 
 #include <iostream>
-#include <memory>
 
 namespace twiddle::cli
 {
@@ -20,28 +19,19 @@ std::string name_of(const std::filesystem::path &folder)
     return folder.string() + ", set-up " + record::json_value<std::string>(sweep, "setup", "a text", path);
 }
 
-int compare_claims(const std::vector<std::string> &folders)
-{
-    std::vector<results::TestedClaims> sweeps;
-    for (const std::filesystem::path folder : folders) {
-        if (!std::filesystem::exists(folder / "sweep.json") || !std::filesystem::exists(folder / "claims.csv"))
-            throw UsageError("'" + folder.string() +
-                             "' does not hold sweep.json and claims.csv; run summarize on it first");
-        sweeps.push_back({name_of(folder), results::read_claims_csv(folder / "claims.csv")});
-    }
-    std::cout << results::comparison_markdown(sweeps);
-    return 0;
-}
-
 } // namespace
 
-void add_compare_claims(CLI::App &app, Session &session)
+int run_command(const CompareClaimsOptions &options, const Arguments & /*arguments*/)
 {
-    CLI::App *command = app.add_subcommand(
-        "compare-claims", "Put the claims of several summarized sweeps side by side, as Markdown on standard output");
-    const auto folders = std::make_shared<std::vector<std::string>>();
-    command->add_option("DIR", *folders, "Folders of sweeps, with claims.csv")->required()->type_name("");
-    command->callback([folders, &session] { session.run = [folders] { return compare_claims(*folders); }; });
+    std::vector<claims::TestedClaims> sweeps;
+    for (const std::filesystem::path folder : options.sweep_dirs) {
+        if (!std::filesystem::exists(folder / "sweep.json") || !std::filesystem::exists(folder / "claims.csv"))
+            throw runs::UsageError("'" + folder.string() +
+                                   "' does not hold sweep.json and claims.csv; run summarize on it first");
+        sweeps.push_back({name_of(folder), claims::read_claims_csv(folder / "claims.csv")});
+    }
+    std::cout << claims::comparison_markdown(sweeps);
+    return 0;
 }
 
 } // namespace twiddle::cli

@@ -1,9 +1,9 @@
-// main.cpp: the twiddle program: reads the command line, runs one command, and says what went wrong in one sentence.
+// main.cpp: the twiddle program: runs one command, and says what went wrong in one sentence.
 
+#include "command_line.hpp"
 #include "commands.hpp"
-#include "errors.hpp"
-#include "record/versions.hpp"
-#include "sim/world.hpp"
+#include "runs/usage_error.hpp"
+#include "sim/not_covered.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -13,7 +13,10 @@
 namespace
 {
 
-using namespace twiddle::cli;
+using namespace twiddle;
+
+constexpr int exit_failure = 1;
+constexpr int exit_wrong_use = 2;
 
 int complain(std::string sentence, int status)
 {
@@ -25,30 +28,10 @@ int complain(std::string sentence, int status)
 
 int run(int argc, char **argv)
 {
-    Session session;
-    session.arguments.assign(argv, argv + argc);
-    CLI::App app("Rhythmic hand skills, learned by trial and error.", "twiddle");
-    app.set_version_flag("--version", twiddle::record::version_line());
-    add_train(app, session);
-    add_sweep(app, session);
-    add_calibrate(app, session);
-    add_replay(app, session);
-    add_rollout(app, session);
-    add_export(app, session);
-    add_summarize(app, session);
-    add_compare_claims(app, session);
-    add_info(app, session);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success &asked) { // --help and --version
-        return app.exit(asked);
-    } catch (const CLI::ParseError &error) {
-        return complain(std::string(error.what()) + "; see --help", exit_wrong_use);
-    }
-    if (!session.run)
-        throw UsageError("a command is missing: train, sweep, calibrate, replay, rollout, export, summarize, "
-                         "compare-claims or info; see --help");
-    const int status = session.run();
+    const std::optional<cli::Command> command = cli::parse_command_line(argc, argv);
+    if (!command) return 0;
+    const cli::Arguments arguments(argv, argv + argc);
+    const int status = std::visit([&](const auto &options) { return cli::run_command(options, arguments); }, *command);
     if (!(std::cout << std::flush)) throw std::runtime_error("cannot write to standard output");
     return status;
 }
@@ -59,9 +42,9 @@ int main(int argc, char **argv)
 {
     try {
         return run(argc, argv);
-    } catch (const twiddle::sim::NotCovered &error) {
+    } catch (const sim::NotCovered &error) {
         return complain(error.what(), exit_wrong_use);
-    } catch (const UsageError &error) {
+    } catch (const runs::UsageError &error) {
         return complain(error.what(), exit_wrong_use);
     } catch (const std::exception &error) {
         return complain(error.what(), exit_failure);

@@ -1,19 +1,14 @@
-// options.hpp: the options that several commands share, and what they stand for.
+// options.hpp: the options of every command, as typed; choices.hpp checks what several commands share.
 #pragma once
 
-#include "record/run_json.hpp"
-
-#include <CLI/CLI.hpp>
-
-#include <cstdint>
-#include <filesystem>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace twiddle::cli
 {
 
-// As typed; run_specification() checks them.
+// Which skill, in which set-up.
 struct RunOptions {
     std::string object;
     std::string model;
@@ -21,43 +16,92 @@ struct RunOptions {
     std::string setup = "paper";
     std::string stepper = "fast";
     std::string hand = "welded";
-    std::string number;
-    bool number_given = false; // or is it the default
+    std::string number = "float";
+    // Or is `number` the default?
+    bool number_given = false;
     std::string target = "host";
-    std::vector<std::string> overrides; // "section.key=value"
+    // "section.key=value"
+    std::vector<std::string> overrides;
     std::string models_dir;
 };
 
-// Add --models alone.
-void add_models_option(CLI::App &command, std::string &models_dir);
+// A board at a serial port.
+struct PortOptions {
+    // Empty: none.
+    std::string port;
+    std::string baud = "115200";
+};
 
-// Add all of RunOptions.
-void add_run_options(CLI::App &command, RunOptions &options);
+struct TrainOptions {
+    RunOptions run;
+    PortOptions port;
+    std::string seed = "1";
+    std::string trials = "5000";
+    std::string out;
+    bool resume = false;
+};
 
-// The models folder: --models, else the environment's TWIDDLE_MODELS, else where this program was built. Throws UsageError
-// if there is none.
-std::filesystem::path models_dir(const std::string &option);
+struct SweepOptions {
+    std::string manifest;
+    std::string out;
+    std::string jobs;
+    std::string only;
+    // Instead of the manifest's; empty: the manifest's.
+    std::string setup;
+    std::string number = "float";
+    std::string models_dir;
+    bool list_missing = false;
+};
 
-// Refuse a name that is no set-up's; the path of a .toml file is taken as it is. Throws UsageError.
-void require_setup(const std::filesystem::path &models, const std::string &setup);
+struct CalibrateOptions {
+    std::string plan;
+    std::string out;
+    std::string jobs;
+    std::string number = "float";
+    std::string models_dir;
+    // Empty: the repository's.
+    std::string paper_dir;
+};
 
-// Refuse what this version does not do. Throws UsageError.
-void require_supported(const RunOptions &options);
-void require_supported(const record::RunSpecification &specification);
+struct ReplayOptions {
+    std::string run_dir;
+    std::string out;
+    // Empty: the run's own.
+    std::string stepper;
+    std::string models_dir;
+};
 
-// What the options ask for, of `trials` trials from `seed`. Throws UsageError with one sentence for a name or setting that does
-// not exist.
-record::RunSpecification run_specification(const RunOptions &options, const std::filesystem::path &models,
-                                           std::uint64_t seed, std::uint32_t trials);
+struct RolloutOptions {
+    RunOptions run;
+};
 
-// `text` as a whole number in [lower, upper]. Throws UsageError that names `option`.
-std::uint64_t whole_number(const std::string &option, const std::string &text, std::uint64_t lower,
-                           std::uint64_t upper);
+struct ExportOptions {
+    std::string run_dir;
+    bool c_header = false;
+    // Empty: of object and model.
+    std::string name;
+    // Empty: standard output.
+    std::string out;
+    std::string models_dir;
+};
 
-// How many runs to do at a time: --jobs, or one a processor where `text` is empty. Throws UsageError.
-std::size_t jobs_at_a_time(const std::string &text);
+struct SummarizeOptions {
+    std::string sweep_dir;
+    // Empty: the repository's.
+    std::string paper_dir;
+    std::string models_dir;
+};
 
-// "a, b, c".
-std::string comma_list(const std::vector<std::string> &names);
+struct CompareClaimsOptions {
+    std::vector<std::string> sweep_dirs;
+};
+
+struct InfoOptions {
+    std::string models_dir;
+};
+
+// One command.
+using Command = std::variant<TrainOptions, SweepOptions, CalibrateOptions, ReplayOptions, RolloutOptions, ExportOptions,
+                             SummarizeOptions, CompareClaimsOptions, InfoOptions>;
 
 } // namespace twiddle::cli

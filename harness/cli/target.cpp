@@ -1,10 +1,12 @@
 #include "target.hpp"
 
-#include "errors.hpp"
-#include "executable.hpp"
+#include "choices.hpp"
+#include "engine/engine.hpp"
 #include "link/chip_agent.hpp"
 #include "link/emulator.hpp"
 #include "link/serial_port.hpp"
+#include "own_program.hpp"
+#include "runs/usage_error.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -30,7 +32,7 @@ unsigned baud_of(const std::string &text)
     for (const unsigned known : speeds) {
         names.push_back(std::to_string(known));
     }
-    throw UsageError("--baud " + text + ": expected one of " + comma_list(names));
+    throw runs::UsageError("--baud " + text + ": expected one of " + comma_list(names));
 }
 
 // The image that `make firmware` builds beside this program's own build.
@@ -51,21 +53,6 @@ std::unique_ptr<link::Connection> connect(const Target &target)
 
 } // namespace
 
-std::vector<std::string> targets()
-{
-    std::vector<std::string> names = link::emulated_boards();
-    names.insert(names.begin(), host);
-    return names;
-}
-
-void add_port_options(CLI::App &command, PortOptions &options)
-{
-    command.add_option("--port", options.port, "Serial port of the board where the C library runs")
-        ->type_name("PATH")
-        ->excludes("--target");
-    command.add_option("--baud", options.baud, "Speed of --port, bit/s")->type_name("N")->capture_default_str();
-}
-
 Target target_of(const RunOptions &run, const PortOptions &port)
 {
     Target target;
@@ -75,15 +62,15 @@ Target target_of(const RunOptions &run, const PortOptions &port)
     target.number = run.number;
     if (target.name == host) return target;
     if (run.number_given && run.number != chip_number)
-        throw UsageError("chips compute in fixed point; leave out --number " + run.number);
+        throw runs::UsageError("chips compute in fixed point; leave out --number " + run.number);
     target.number = chip_number;
     return target;
 }
 
-experiment::AgentMaker agent_maker(const Target &target)
+engine::AgentMaker agent_maker(const Target &target)
 {
-    if (target.name == host) return experiment::make_local_agent;
-    return [target](const experiment::AgentSetup &setup) { return link::make_chip_agent(connect(target), setup); };
+    if (target.name == host) return engine::engine_of_number(target.number).make_agent;
+    return [target](const engine::AgentSetup &setup) { return link::make_chip_agent(connect(target), setup); };
 }
 
 } // namespace twiddle::cli

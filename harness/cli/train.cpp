@@ -1,17 +1,17 @@
+#include "choices.hpp"
 #include "commands.hpp"
-#include "errors.hpp"
-#include "executable.hpp"
-#include "options.hpp"
+#include "link/connection.hpp"
+#include "own_program.hpp"
 #include "record/progress.hpp"
-#include "run_folder.hpp"
-#include "stop_request.hpp"
+#include "runs/run_folder.hpp"
+#include "runs/stop_request.hpp"
+#include "runs/training_session.hpp"
+#include "runs/usage_error.hpp"
 #include "target.hpp"
-#include "training_session.hpp"
 
 #include <chrono>
 #include <iostream>
 #include <limits>
-#include <memory>
 
 #include <unistd.h>
 
@@ -21,22 +21,13 @@ namespace twiddle::cli
 namespace
 {
 
-struct TrainOptions {
-    RunOptions run;
-    PortOptions port;
-    std::string seed = "1";
-    std::string trials = "5000";
-    std::string out;
-    bool resume = false;
-};
-
 double seconds_since(std::chrono::steady_clock::time_point start)
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 // Run the session's trials to the end, or until Ctrl-C, and report each. Returns whether the end was reached.
-bool run_trials(TrainingSession &session, std::uint32_t trials)
+bool run_trials(runs::TrainingSession &session, std::uint32_t trials)
 {
     record::Progress progress(std::cerr, ::isatty(STDERR_FILENO) == 1, trials, session.trials_done());
     for (const double reward : session.rewards()) {
@@ -50,7 +41,7 @@ bool run_trials(TrainingSession &session, std::uint32_t trials)
             progress.end_line();
             std::cerr << "twiddle: trial " << row.trial << ": " << row.fault << '\n';
         }
-        if (stop_signal() != 0 && !session.is_done()) {
+        if (runs::stop_signal() != 0 && !session.is_done()) {
             progress.end_line();
             return false;
         }
@@ -58,7 +49,7 @@ bool run_trials(TrainingSession &session, std::uint32_t trials)
     return true;
 }
 
-void print(const TrainingSummary &summary, const RunFolder &folder)
+void print(const record::TrainingSummary &summary, const runs::RunFolder &folder)
 {
     std::cout << "mean rotation of the first " << summary.first_trials
               << " trials: " << summary.mean_rotation_of_first_rad << " rad\n"
@@ -69,7 +60,7 @@ void print(const TrainingSummary &summary, const RunFolder &folder)
 }
 
 // Train to the end, or until Ctrl-C; returns the program's status.
-int train(TrainingSession &session, const std::optional<record::Run> &earlier, const RunFolder &folder,
+int train(runs::TrainingSession &session, const std::optional<record::Run> &earlier, const runs::RunFolder &folder,
           std::uint32_t trials)
 {
     if (earlier) {
@@ -80,17 +71,18 @@ int train(TrainingSession &session, const std::optional<record::Run> &earlier, c
     if (!run_trials(session, trials)) {
         std::cerr << "twiddle: stopped after trial " << session.trials_done() << " of " << trials
                   << "; the same command with --resume goes on\n";
-        return 128 + stop_signal(); // as a shell reports it
+        return 128 + runs::stop_signal(); // as a shell reports it
     }
     print(session.finish(), folder);
     return 0;
 }
 
-int train(const TrainOptions &options, const std::vector<std::string> &arguments)
+} // namespace
+
+int run_command(const TrainOptions &options, const Arguments &arguments)
 {
     require_supported(options.run);
     const Target target = target_of(options.run, options.port);
-    hand_over(target.number, arguments);
 
     const auto seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
     const auto trials =
@@ -98,41 +90,25 @@ int train(const TrainOptions &options, const std::vector<std::string> &arguments
     const std::filesystem::path models = models_dir(options.run.models_dir);
     record::Run run;
     run.specification = run_specification(options.run, models, seed, trials);
+    run.specification.number = target.number;
     run.command = shell_line(arguments);
     run.target = target.name;
     run.port = target.port;
 
-    const RunFolder folder{options.out.empty() ? default_run_path(run.specification)
-                                               : std::filesystem::path(options.out)};
-    const std::optional<record::Run> earlier = claim(folder, run.specification, "choose another folder by --out");
+    const runs::RunFolder folder{options.out.empty() ? runs::default_run_path(run.specification)
+                                                     : std::filesystem::path(options.out)};
+    const std::optional<record::Run> earlier = runs::claim(folder, run.specification, "choose another folder by --out");
     if (options.resume && earlier && earlier->complete) {
         std::cout << "the run in " << folder.path.string() << " is already complete\n";
         return 0;
     }
-    TrainingSession session(folder, run, models, agent_maker(target));
-    catch_stop_signals();
+    runs::TrainingSession session(folder, run, models, agent_maker(target));
+    runs::catch_stop_signals();
     try {
         return train(session, options.resume ? earlier : std::nullopt, folder, trials);
     } catch (const link::LinkError &error) {
         throw std::runtime_error(std::string(error.what()) + "; the same command with --resume goes on");
     }
-}
-
-} // namespace
-
-void add_train(CLI::App &app, Session &session)
-{
-    CLI::App *command = app.add_subcommand("train", "Learn one skill; writes run.json, trials.csv and policy.json");
-    const auto options = std::make_shared<TrainOptions>();
-    add_run_options(*command, options->run);
-    add_port_options(*command, options->port);
-    command->add_option("--seed", options->seed, "Seed of weights and noise")->type_name("N")->capture_default_str();
-    command->add_option("--trials", options->trials, "Length of the training")->type_name("N")->capture_default_str();
-    command->add_option("--out", options->out, "Folder of the run [results/OBJECT/MODEL[-no-centre]/seed-N]")
-        ->type_name("DIR");
-    command->add_flag("--resume", options->resume, "Go on with a run that was interrupted");
-    command->callback(
-        [options, &session] { session.run = [options, &session] { return train(*options, session.arguments); }; });
 }
 
 } // namespace twiddle::cli

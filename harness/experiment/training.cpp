@@ -1,11 +1,11 @@
 #include "training.hpp"
 
+#include "engine/models.hpp"
+#include "settings/setup.hpp"
 #include "sim/hand_model.hpp"
 #include "sim/object.hpp"
-#include "sim/setup.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace twiddle::experiment
@@ -14,9 +14,9 @@ namespace twiddle::experiment
 namespace
 {
 
-sim::Setup setup_of(const record::RunSpecification &specification)
+settings::Setup setup_of(const record::RunSpecification &specification)
 {
-    return sim::setup_from_settings(specification.settings, specification.setup, "the run's settings");
+    return settings::setup_from_settings(specification.settings, specification.setup, "the run's settings");
 }
 
 TrialWorld make_trial_world(const record::RunSpecification &specification, const std::filesystem::path &models_dir)
@@ -27,29 +27,33 @@ TrialWorld make_trial_world(const record::RunSpecification &specification, const
                       sim::read_object(models_dir, specification.object), setup_of(specification), hold);
 }
 
-AgentSetup agent_setup(const record::RunSpecification &specification)
+engine::AgentSetup agent_setup(const record::RunSpecification &specification)
 {
-    const sim::Setup setup = setup_of(specification);
-    const twd_model &model = find_model(specification.model);
-    return {setup.name, controller_config(setup, model, specification.centre),
-            learner_config(setup.learner, model, specification.centre, specification.trials, specification.seed)};
+    return {
+        {setup_of(specification), specification.model, specification.centre}, specification.trials, specification.seed};
 }
 
 } // namespace
 
 TrialRunner make_trial_runner(const record::RunSpecification &specification, const std::filesystem::path &models_dir)
 {
-    return TrialRunner(make_trial_world(specification, models_dir), find_model(specification.model),
-                       specification.centre);
+    return TrialRunner(make_trial_world(specification, models_dir), engine::engine_of_number(specification.number),
+                       specification.model, specification.centre);
+}
+
+Training::Training(const record::RunSpecification &specification, const std::filesystem::path &models_dir)
+    : Training(specification, models_dir, engine::engine_of_number(specification.number).make_agent)
+{
 }
 
 Training::Training(const record::RunSpecification &specification, const std::filesystem::path &models_dir,
-                   const AgentMaker &make_agent)
-    : model_(&find_model(specification.model)), with_centre_(specification.centre),
-      world_(make_trial_world(specification, models_dir)), agent_(make_agent(agent_setup(specification)))
+                   const engine::AgentMaker &make_agent)
+    : model_(specification.model), with_centre_(specification.centre),
+      engine_(&engine::engine_of_number(specification.number)), world_(make_trial_world(specification, models_dir)),
+      agent_(make_agent(agent_setup(specification)))
 {
-    const sim::LearnerSetup &learner = world_.setup().learner;
-    input_ = learner_input(sim::read_object(models_dir, specification.object), learner);
+    const settings::LearnerSetup &learner = world_.setup().learner;
+    input_ = engine_->learner_input(sim::read_object(models_dir, specification.object), learner);
     reward_per_rad_ = learner.reward_per_rad;
 }
 
@@ -57,7 +61,7 @@ TrialRow Training::run_trial()
 {
     TrialRow row = act();
     TrialResult result =
-        world_.run([this](sim::World &world, int substeps) { return agent_->advance(world, substeps); },
+        world_.run([this](const engine::JointReadings &readings, bool tick) { return agent_->torque(readings, tick); },
                    [](const StepSample &, const sim::World &) {});
     row.rotation_rad = result.rotation_rad;
     row.fault = std::move(result.fault);
@@ -75,7 +79,7 @@ TrialRow Training::recall_trial(double rotation_rad)
 
 TrialRow Training::act()
 {
-    const TrialStart start = agent_->act(input_);
+    const engine::TrialStart start = agent_->act(input_);
     TrialRow row;
     row.trial = trials_ + 1;
     row.value = start.value;
@@ -86,31 +90,26 @@ TrialRow Training::act()
 
 void Training::learn(TrialRow &row)
 {
-    const twd_wide reward = twd_wide_from_double(row.rotation_rad * reward_per_rad_);
-    row.reward = shown_wide(reward);
-    row.td_error = shown_wide(agent_->learn(reward));
+    row.reward = engine_->rounded_reward(row.rotation_rad * reward_per_rad_);
+    row.td_error = agent_->learn(row.reward);
     ++trials_;
 }
 
 record::Policy Training::policy()
 {
-    const LearnerState state = agent_->state(input_);
+    const engine::LearnerState state = agent_->state(input_);
     record::Policy policy;
-    policy.model = model_->name;
+    policy.model = model_;
     policy.centre = with_centre_;
     policy.trials = state.trials;
     policy.random_state = state.random_state;
 
-    const std::vector<std::string> names = parameter_names(*model_, with_centre_);
+    const std::vector<std::string> names = engine::parameter_names(model_, with_centre_);
     for (std::size_t i = 0; i < state.policy.size(); ++i) {
-        policy.parameters.emplace_back(names.at(i), twd_num_to_double(state.policy[i]));
+        policy.parameters.emplace_back(names.at(i), state.policy[i]);
     }
-    std::transform(state.critic_weights.begin(), state.critic_weights.end(), std::back_inserter(policy.critic_weights),
-                   twd_wide_to_double);
-    for (const std::vector<twd_num> &weights : state.actor_weights) {
-        std::vector<double> &row = policy.actor_weights.emplace_back();
-        std::transform(weights.begin(), weights.end(), std::back_inserter(row), twd_num_to_double);
-    }
+    policy.critic_weights = state.critic_weights;
+    policy.actor_weights = state.actor_weights;
     return policy;
 }
 

@@ -1,9 +1,7 @@
 // training.hpp: a training run, trial by trial.
 #pragma once
 
-#include "agent.hpp"
-#include "controller_setup.hpp"
-#include "models.hpp"
+#include "engine/engine.hpp"
 #include "record/policy_json.hpp"
 #include "record/run_json.hpp"
 #include "trial.hpp"
@@ -25,20 +23,27 @@ TrialRunner make_trial_runner(const record::RunSpecification &specification, con
 struct TrialRow {
     std::uint32_t trial = 0; // from 1
     double rotation_rad = 0;
-    Shown reward = 0;
-    Shown value = 0;    // the critic's estimate before the trial
-    Shown td_error = 0; // reward - value
-    Shown noise = 0;    // half-range of the exploration noise in force
-    ExpertWeights weight{};
-    std::string fault; // as TrialResult's
+    // This and the numbers below are exactly what the library holds.
+    double reward = 0;
+    // The critic's estimate before the trial.
+    double value = 0;
+    // reward - value
+    double td_error = 0;
+    // Half-range of the exploration noise in force.
+    double noise = 0;
+    engine::ExpertWeights weight{};
+    // As TrialResult's.
+    std::string fault;
 };
 
 class Training
 {
   public:
-    // With an agent in this process, or another. Throws std::runtime_error with one sentence.
+    // With an agent of the specification's number type in this process, or one that `make_agent` makes. Throws
+    // std::runtime_error with one sentence.
+    Training(const record::RunSpecification &specification, const std::filesystem::path &models_dir);
     Training(const record::RunSpecification &specification, const std::filesystem::path &models_dir,
-             const AgentMaker &make_agent = make_local_agent);
+             const engine::AgentMaker &make_agent);
 
     // Act, simulate, learn.
     TrialRow run_trial();
@@ -54,12 +59,13 @@ class Training
     TrialRow act();
     void learn(TrialRow &row);
 
-    const twd_model *model_;
+    std::string model_;
     bool with_centre_;
+    const engine::Engine *engine_;
     TrialWorld world_;
-    LearnerInput input_{};
+    engine::LearnerInput input_;
     double reward_per_rad_ = 0;
-    std::unique_ptr<Agent> agent_;
+    std::unique_ptr<engine::Agent> agent_;
     std::uint32_t trials_ = 0; // learned from
 };
 

@@ -12,7 +12,7 @@ namespace
 std::vector<std::string> trajectory_columns()
 {
     std::vector<std::string> columns = {"step", "time_s"};
-    for (const std::string joint : sim::joint_names) {
+    for (const std::string joint : joint_names) {
         columns.insert(columns.end(),
                        {"desired_" + joint + "_rad", "actual_" + joint + "_rad", "torque_" + joint + "_nm"});
     }
@@ -26,7 +26,7 @@ record::CsvRow csv_row(const TrajectoryRow &row)
     const sim::Observation &seen = row.observation;
     record::CsvRow csv;
     csv.cell(static_cast<std::uint64_t>(row.sample.step)).cell(row.sample.step * control_step_s);
-    for (std::size_t i = 0; i < sim::joint_count; ++i) {
+    for (std::size_t i = 0; i < joint_count; ++i) {
         csv.cell(row.sample.desired_rad[i]).cell(seen.angle_rad[i]).cell(row.sample.torque_nm[i]);
     }
     for (const btVector3 &tip_m : {seen.p_palm_index_tip_m, seen.p_palm_thumb_tip_m}) {
@@ -38,7 +38,7 @@ record::CsvRow csv_row(const TrajectoryRow &row)
 
 } // namespace
 
-Trajectory record_trajectory(TrialRunner &runner, const Parameters &parameters)
+Trajectory record_trajectory(TrialRunner &runner, const engine::Parameters &parameters)
 {
     Trajectory trajectory;
     trajectory.rows.reserve(trial_steps);

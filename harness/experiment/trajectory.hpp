@@ -25,7 +25,7 @@ struct Trajectory {
 };
 
 // Run one trial and keep all of it.
-Trajectory record_trajectory(TrialRunner &runner, const Parameters &parameters);
+Trajectory record_trajectory(TrialRunner &runner, const engine::Parameters &parameters);
 
 // Write trajectory.csv under `comments`.
 void write_trajectory(const std::filesystem::path &path, const Trajectory &trajectory,

@@ -15,16 +15,16 @@ constexpr double impossible_rotation_rad = 1000;
 
 } // namespace
 
-bool is_possible(const sim::JointVector &angle_rad, const sim::JointVector &velocity_rad_s, double rotation_rad)
+bool is_possible(const JointVector &angle_rad, const JointVector &velocity_rad_s, double rotation_rad)
 {
     // Comparisons that a value which is not a number fails.
-    for (std::size_t i = 0; i < sim::joint_count; ++i) {
+    for (std::size_t i = 0; i < joint_count; ++i) {
         if (!(std::abs(angle_rad[i]) < impossible_joint_rad) || !std::isfinite(velocity_rad_s[i])) return false;
     }
     return std::abs(rotation_rad) < impossible_rotation_rad;
 }
 
-TrialWorld::TrialWorld(sim::Stepper stepper, sim::HandModel hand, sim::ObjectSpec object, sim::Setup setup,
+TrialWorld::TrialWorld(sim::Stepper stepper, sim::HandModel hand, sim::ObjectSpec object, settings::Setup setup,
                        sim::HandHold hold)
     : stepper_(stepper), hand_(std::move(hand)), object_(std::move(object)), setup_(std::move(setup)), hold_(hold),
       world_(sim::make_world(stepper_, hand_, object_, setup_, hold_)), substeps_(world_->substeps_per_step())
@@ -38,18 +38,12 @@ TrialResult TrialWorld::fault(int step)
                    "; the trial counts as 0 rad"};
 }
 
-TrialRunner::TrialRunner(sim::Stepper stepper, const sim::HandModel &hand, const sim::ObjectSpec &object,
-                         const sim::Setup &setup, sim::HandHold hold, const twd_model &model, bool with_centre)
-    : TrialRunner(TrialWorld(stepper, hand, object, setup, hold), model, with_centre)
+TrialRunner::TrialRunner(TrialWorld world, const engine::Engine &engine, const std::string &model, bool with_centre)
+    : world_(std::move(world)), controller_(engine.make_controller({world_.setup(), model, with_centre}))
 {
 }
 
-TrialRunner::TrialRunner(TrialWorld world, const twd_model &model, bool with_centre)
-    : world_(std::move(world)), loop_(controller_config(world_.setup(), model, with_centre), world_.setup().name)
-{
-}
-
-TrialResult TrialRunner::run(const Parameters &parameters)
+TrialResult TrialRunner::run(const engine::Parameters &parameters)
 {
     return run_observed(parameters, [](const StepSample &, const sim::World &) {});
 }

@@ -1,6 +1,6 @@
 #include "child_process.hpp"
 
-#include "descriptor.hpp"
+#include "record/descriptor.hpp"
 
 #include <array>
 #include <cerrno>
@@ -59,12 +59,12 @@ int wait_for(pid_t process)
 ChildProcess::ChildProcess(const std::vector<std::string> &command, const std::filesystem::path &folder,
                            const std::filesystem::path &output)
 {
-    const Descriptor words(::open(output.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR));
+    const record::Descriptor words(::open(output.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR));
     if (words.number() < 0) fail("cannot write '" + output.string() + "'", errno);
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("cannot make a pipe", errno);
-    const Descriptor reading(ends[0]);
-    Descriptor writing(ends[1]);
+    const record::Descriptor reading(ends[0]);
+    record::Descriptor writing(ends[1]);
 
     std::vector<std::string> copies = command;
     std::vector<char *> argv;
@@ -76,7 +76,7 @@ ChildProcess::ChildProcess(const std::vector<std::string> &command, const std::f
     if (process < 0) fail("cannot start '" + command.front() + "'", errno);
     if (process == 0) become(argv.data(), folder.c_str(), words.number(), writing.number());
 
-    writing = Descriptor(); // the other writing end closes when the program runs
+    writing = record::Descriptor(); // the other writing end closes when the program runs
     int error = 0;
     if (::read(reading.number(), &error, sizeof error) == sizeof error) {
         wait_for(process);

@@ -1,9 +1,15 @@
 #include "chip_agent.hpp"
 
 #include "agent/transfer.h"
+#include "configured_chip_agent.hpp"
+#include "engine/control_loop.hpp"
+#include "engine/controller_setup.hpp"
 #include "frame_link.hpp"
 
+#include <twiddle/convert.h>
+
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <stdexcept>
@@ -16,8 +22,25 @@ namespace twiddle::link
 namespace
 {
 
-using experiment::AgentSetup;
-using experiment::LearnerInput;
+using engine::LearnerInput;
+using engine::TWD_BUILD_NAMESPACE::expert_weights;
+
+// The library's numbers of `values`.
+std::vector<twd_num> numbers(const std::vector<double> &values)
+{
+    std::vector<twd_num> numbers(values.size());
+    std::transform(values.begin(), values.end(), numbers.begin(), twd_num_from_double);
+    return numbers;
+}
+
+// The doubles that `numbers` stand for.
+template <class Number, class ToDouble>
+std::vector<double> doubles(const std::vector<Number> &numbers, ToDouble to_double)
+{
+    std::vector<double> values(numbers.size());
+    std::transform(numbers.begin(), numbers.end(), values.begin(), to_double);
+    return values;
+}
 
 // A request, whose payload is written by one call after another.
 class Request
@@ -58,75 +81,77 @@ class Request
     twd_transfer transfer_ = twd_transfer_to(&frame_);
 };
 
-class ChipAgent : public experiment::Agent
+class ChipAgent : public engine::Agent
 {
   public:
-    ChipAgent(std::unique_ptr<Connection> connection, const AgentSetup &setup)
-        : link_(std::move(connection)), setup_(setup)
+    ChipAgent(std::unique_ptr<Connection> connection, const ChipConfig &config)
+        : link_(std::move(connection)), config_(config)
     {
         greet();
         configure();
     }
 
-    experiment::TrialStart act(const LearnerInput &input) override
+    engine::TrialStart act(const LearnerInput &input) override
     {
         twd_trial_start start{};
-        const twd_model &model = *setup_.controller.model;
+        const twd_model &model = *config_.controller.model;
         Request request;
-        request.words(input.data(), setup_.learner.inputs);
+        request.words(numbers(input).data(), config_.learner.inputs);
         ask(TWD_REQUEST_ACT, request,
             [&](twd_transfer *answer) { twd_transfer_trial_start(answer, &start, model.cpgs); });
-        return {experiment::shown_wide(start.value), experiment::shown_num(start.noise),
-                experiment::expert_weights(model, start.weight)};
+        return {twd_wide_to_double(start.value), twd_num_to_double(start.noise), expert_weights(model, start.weight)};
     }
 
-    experiment::StepCommands advance(sim::World &world, int substeps) override
+    engine::JointCommands torque(const engine::JointReadings &readings, bool tick) override
     {
-        experiment::StepCommands commands;
-        for (int substep = 0; substep < substeps; ++substep) {
-            const experiment::JointReadings readings = experiment::read_joints(world);
-            const std::size_t joints = setup_.controller.joints;
-            const bool ticks = substep == 0;
-            Request request;
-            request.word(ticks ? TWD_SUBSTEP_TICK : 0U)
-                .words(readings.angle_rad.data(), joints)
-                .words(readings.velocity_rad_s.data(), joints);
-            experiment::JointNumbers torque_nm{};
-            experiment::JointNumbers desired_rad{};
-            ask(TWD_REQUEST_SUBSTEP, request, [&](twd_transfer *answer) {
-                twd_transfer_words(answer, torque_nm.data(), joints);
-                if (ticks) twd_transfer_words(answer, desired_rad.data(), joints);
-            });
-            if (ticks) commands.desired_rad = experiment::joint_vector(desired_rad);
-            commands.torque_nm = experiment::joint_vector(torque_nm);
-            world.substep(commands.torque_nm);
+        std::array<twd_num, joint_count> angle_rad{};
+        std::array<twd_rate, joint_count> velocity_rad_s{};
+        std::array<twd_num, joint_count> torque_nm{};
+        for (std::size_t i = 0; i < joint_count; ++i) {
+            angle_rad[i] = twd_num_from_double(readings.angle_rad[i]);
+            velocity_rad_s[i] = twd_rate_from_double(readings.velocity_rad_s[i]);
+        }
+        Request request;
+        request.word(tick ? TWD_SUBSTEP_TICK : 0U)
+            .words(angle_rad.data(), joint_count)
+            .words(velocity_rad_s.data(), joint_count);
+        ask(TWD_REQUEST_SUBSTEP, request, [&](twd_transfer *answer) {
+            twd_transfer_words(answer, torque_nm.data(), joint_count);
+            if (tick) twd_transfer_words(answer, desired_rad_.data(), joint_count);
+        });
+        engine::JointCommands commands;
+        for (std::size_t i = 0; i < joint_count; ++i) {
+            commands.desired_rad[i] = twd_num_to_double(desired_rad_[i]);
+            commands.torque_nm[i] = twd_num_to_double(torque_nm[i]);
         }
         return commands;
     }
 
-    twd_wide learn(twd_wide reward) override
+    double learn(double reward) override
     {
+        const twd_wide earned = twd_wide_from_double(reward);
         twd_wide td_error{};
         Request request;
-        request.words(&reward, 1);
+        request.words(&earned, 1);
         ask(TWD_REQUEST_LEARN, request, [&](twd_transfer *answer) { twd_transfer_words(answer, &td_error, 1); });
-        return td_error;
+        return twd_wide_to_double(td_error);
     }
 
-    experiment::LearnerState state(const LearnerInput &input) override
+    engine::LearnerState state(const LearnerInput &input) override
     {
-        const std::size_t inputs = setup_.learner.inputs;
-        experiment::LearnerState state;
+        const std::size_t inputs = config_.learner.inputs;
+        engine::LearnerState state;
         Request policy;
-        policy.words(input.data(), inputs);
-        state.policy = ask_for<twd_num>(TWD_REQUEST_POLICY, policy, setup_.learner.units);
-        for (std::uint32_t unit = 0; unit < setup_.learner.units; ++unit) {
+        policy.words(numbers(input).data(), inputs);
+        state.policy = doubles(ask_for<twd_num>(TWD_REQUEST_POLICY, policy, config_.learner.units), twd_num_to_double);
+        for (std::uint32_t unit = 0; unit < config_.learner.units; ++unit) {
             Request actor;
             actor.word(unit);
-            state.actor_weights.push_back(ask_for<twd_num>(TWD_REQUEST_ACTOR, actor, inputs));
+            state.actor_weights.push_back(
+                doubles(ask_for<twd_num>(TWD_REQUEST_ACTOR, actor, inputs), twd_num_to_double));
         }
         Request critic;
-        state.critic_weights = ask_for<twd_wide>(TWD_REQUEST_CRITIC, critic, inputs);
+        state.critic_weights = doubles(ask_for<twd_wide>(TWD_REQUEST_CRITIC, critic, inputs), twd_wide_to_double);
         twd_agent_state counters{};
         Request rest;
         ask(TWD_REQUEST_STATE, rest, [&](twd_transfer *answer) { twd_transfer_state(answer, &counters); });
@@ -174,21 +199,21 @@ class ChipAgent : public experiment::Agent
                             " of the protocol, this program version " + std::to_string(TWD_PROTOCOL_VERSION));
         if (hello.numbers != TWD_NUMBERS_HERE)
             throw LinkError(link_.name() + " does not compute in fixed point, as this program does");
-        if (hello.joints < setup_.controller.joints || hello.fingers < setup_.controller.fingers ||
-            hello.units < setup_.learner.units || hello.inputs < setup_.learner.inputs)
-            throw LinkError(link_.name() + " is built for smaller models than set-up '" + setup_.name + "' has");
+        if (hello.joints < config_.controller.joints || hello.fingers < config_.controller.fingers ||
+            hello.units < config_.learner.units || hello.inputs < config_.learner.inputs)
+            throw LinkError(link_.name() + " is built for smaller models than set-up '" + config_.name + "' has");
     }
 
     void configure()
     {
-        AgentSetup copy = setup_; // the transfer functions take what they could also read into
+        ChipConfig copy = config_; // the transfer functions take what they could also read into
         Request controller;
         ask_plainly(TWD_REQUEST_CONTROLLER, controller.with(twd_transfer_controller, &copy.controller));
-        for (std::uint8_t index = 0; index < setup_.controller.joints; ++index) {
+        for (std::uint8_t index = 0; index < config_.controller.joints; ++index) {
             Request joint;
             ask_plainly(TWD_REQUEST_JOINT, joint.with(twd_transfer_joint, &index, &copy.controller.joint[index]));
         }
-        for (std::uint8_t index = 0; index < setup_.controller.fingers; ++index) {
+        for (std::uint8_t index = 0; index < config_.controller.fingers; ++index) {
             Request finger;
             ask_plainly(TWD_REQUEST_FINGER, finger.with(twd_transfer_finger, &index, &copy.controller.finger[index]));
         }
@@ -203,20 +228,33 @@ class ChipAgent : public experiment::Agent
             Request request;
             ask_plainly(TWD_REQUEST_BEGIN, request);
         } catch (const LibraryRefusal &refusal) {
-            throw LinkError(link_.name() + " refuses set-up '" + setup_.name +
+            throw LinkError(link_.name() + " refuses set-up '" + config_.name +
                             "': " + twd_error_text(static_cast<twd_error>(refusal.error())));
         }
     }
 
     FrameLink link_;
-    AgentSetup setup_;
+    ChipConfig config_;
+    std::array<twd_num, joint_count> desired_rad_{}; // of the last tick
 };
 
 } // namespace
 
-std::unique_ptr<experiment::Agent> make_chip_agent(std::unique_ptr<Connection> connection, const AgentSetup &setup)
+ChipConfig chip_config(const engine::AgentSetup &setup)
 {
-    return std::make_unique<ChipAgent>(std::move(connection), setup);
+    using namespace engine::TWD_BUILD_NAMESPACE;
+    return {setup.controller.setup.name, controller_config(setup.controller), learner_config(setup)};
+}
+
+std::unique_ptr<engine::Agent> make_configured_chip_agent(std::unique_ptr<Connection> connection,
+                                                          const ChipConfig &config)
+{
+    return std::make_unique<ChipAgent>(std::move(connection), config);
+}
+
+std::unique_ptr<engine::Agent> make_chip_agent(std::unique_ptr<Connection> connection, const engine::AgentSetup &setup)
+{
+    return make_configured_chip_agent(std::move(connection), chip_config(setup));
 }
 
 } // namespace twiddle::link

@@ -115,11 +115,11 @@ std::string Emulator::death()
     return "has gone: its QEMU " + end + (words.empty() ? "" : ", saying: " + words);
 }
 
-Descriptor Emulator::open_fifo(const std::string &name, int flags) const
+record::Descriptor Emulator::open_fifo(const std::string &name, int flags) const
 {
     const fs::path path = folder_.path() / name;
     if (::mkfifo(path.c_str(), S_IRUSR | S_IWUSR) != 0) fail("cannot make the FIFO '" + path.string() + "'");
-    Descriptor fifo(::open(path.c_str(), flags | O_NONBLOCK | O_CLOEXEC));
+    record::Descriptor fifo(::open(path.c_str(), flags | O_NONBLOCK | O_CLOEXEC));
     if (fifo.number() < 0) fail("cannot open the FIFO '" + path.string() + "'");
     return fifo;
 }

@@ -4,7 +4,7 @@
 
 #include "child_process.hpp"
 #include "connection.hpp"
-#include "descriptor.hpp"
+#include "record/descriptor.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -45,14 +45,14 @@ class Emulator : public Connection
     std::string death() override;
 
   private:
-    Descriptor open_fifo(const std::string &name, int flags) const;
+    record::Descriptor open_fifo(const std::string &name, int flags) const;
     std::filesystem::path output_path() const;
     std::string last_words() const;
 
     std::string board_;
     TemporaryFolder folder_;
-    Descriptor to_chip_;
-    Descriptor from_chip_;
+    record::Descriptor to_chip_;
+    record::Descriptor from_chip_;
     std::optional<ChildProcess> qemu_; // after the constructor always there
 };
 

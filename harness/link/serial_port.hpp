@@ -2,7 +2,7 @@
 #pragma once
 
 #include "connection.hpp"
-#include "descriptor.hpp"
+#include "record/descriptor.hpp"
 
 #include <filesystem>
 #include <string>
@@ -28,7 +28,7 @@ class SerialPort : public Connection
 
   private:
     std::filesystem::path path_;
-    Descriptor port_;
+    record::Descriptor port_;
 };
 
 } // namespace twiddle::link

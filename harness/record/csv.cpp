@@ -13,9 +13,9 @@ CsvRow &CsvRow::cell(double value)
     return append(number_text(value));
 }
 
-CsvRow &CsvRow::cell(float value)
+CsvRow &CsvRow::cell(double value, std::string_view number)
 {
-    return append(number_text(value));
+    return append(number_text(value, number));
 }
 
 CsvRow &CsvRow::cell(std::uint64_t value)

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace twiddle::record
@@ -18,7 +19,8 @@ class CsvRow
 {
   public:
     CsvRow &cell(double value);
-    CsvRow &cell(float value);
+    // A value that the C library holds in its number type `number` (number_text.hpp).
+    CsvRow &cell(double value, std::string_view number);
     CsvRow &cell(std::uint64_t value);
 
     // The row as it stands in the file, without the line end.

@@ -1,6 +1,8 @@
 // json_file.hpp: JSON files, read with errors that name file and key, written whole or not at all.
 #pragma once
 
+#include "json.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
@@ -12,9 +14,6 @@
 
 namespace twiddle::record
 {
-
-// Objects keep the order in which they were filled: files read from top to bottom as they were meant.
-using Json = nlohmann::ordered_json;
 
 // Read `path`. Throws std::runtime_error with one sentence that names the file, and the line if it is no JSON object.
 Json read_json(const std::filesystem::path &path);
@@ -29,6 +28,8 @@ template <class Value> bool json_holds(const Json &value)
         return value.is_boolean();
     } else if constexpr (std::is_unsigned_v<Value>) {
         return value.is_number_unsigned() && value.get<std::uint64_t>() <= std::numeric_limits<Value>::max();
+    } else if constexpr (std::is_floating_point_v<Value>) {
+        return value.is_number();
     } else if constexpr (std::is_same_v<Value, std::string>) {
         return value.is_string();
     } else if constexpr (std::is_same_v<Value, Json> || std::is_same_v<Value, nlohmann::json>) {

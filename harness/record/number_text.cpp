@@ -32,9 +32,9 @@ std::string number_text(double value)
     return shortest_text(value);
 }
 
-std::string number_text(float value)
+std::string number_text(double value, std::string_view number)
 {
-    return shortest_text(value);
+    return number == "float" ? shortest_text(static_cast<float>(value)) : shortest_text(value);
 }
 
 std::optional<double> parse_number(std::string_view text)

@@ -11,7 +11,9 @@ namespace twiddle::record
 
 // The shortest decimal text that reads back as the same value; "nan" and "inf" for what is no number.
 std::string number_text(double value);
-std::string number_text(float value);
+
+// The same for a value that the C library holds in its number type `number`: "float", "double" or "fixed".
+std::string number_text(double value, std::string_view number);
 
 // The number that all of `text` spells, as decimal or scientific notation; nothing if it spells none.
 std::optional<double> parse_number(std::string_view text);

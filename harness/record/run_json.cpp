@@ -1,5 +1,6 @@
 #include "run_json.hpp"
 
+#include "json_file.hpp"
 #include "versions.hpp"
 
 #include <tuple>
@@ -10,9 +11,15 @@ namespace twiddle::record
 namespace
 {
 
-auto fields(const RunSpecification &s)
+auto plain_fields(const RunSpecification &s)
 {
-    return std::tie(s.object, s.model, s.centre, s.seed, s.trials, s.hand, s.stepper, s.number, s.setup, s.settings);
+    return std::tie(s.object, s.model, s.centre, s.seed, s.trials, s.hand, s.stepper, s.number, s.setup);
+}
+
+// Keys sorted, whatever their order in the text.
+nlohmann::json settings_of(const RunSpecification &specification)
+{
+    return nlohmann::json::parse(specification.settings);
 }
 
 RunSpecification read_specification(const Json &json, const std::filesystem::path &path)
@@ -28,15 +35,46 @@ RunSpecification read_specification(const Json &json, const std::filesystem::pat
     specification.stepper = text("stepper");
     specification.number = text("number");
     specification.setup = text("setup");
-    specification.settings = json_value<nlohmann::json>(json, "settings", "an object of settings", path);
+    specification.settings = json_value<nlohmann::json>(json, "settings", "an object of settings", path).dump();
     return specification;
+}
+
+Json summary_json(const TrainingSummary &summary)
+{
+    return {{"first_trials", summary.first_trials},
+            {"mean_rotation_of_first_rad", summary.mean_rotation_of_first_rad},
+            {"last_trials", summary.last_trials},
+            {"mean_rotation_of_last_rad", summary.mean_rotation_of_last_rad},
+            {"faults", summary.faults}};
+}
+
+TrainingSummary read_summary(const Json &json, const std::filesystem::path &path)
+{
+    const auto count = [&](const char *key) { return json_value<std::size_t>(json, key, "a whole number", path); };
+    const auto number = [&](const char *key) { return json_value<double>(json, key, "a number", path); };
+    return {count("first_trials"), number("mean_rotation_of_first_rad"), count("last_trials"),
+            number("mean_rotation_of_last_rad"), count("faults")};
+}
+
+Json replay_json(const ReplaySummary &replay)
+{
+    if (!replay.fault.empty()) return {{"fault", replay.fault}};
+    return {{"rotation_rad", replay.rotation_rad}, {"min_finger_clearance_m", replay.min_finger_clearance_m}};
+}
+
+ReplaySummary read_replay(const Json &json, const std::filesystem::path &path)
+{
+    if (json.contains("fault")) return {0, 0, json_value<std::string>(json, "fault", "a text", path)};
+    const auto number = [&](const char *key) { return json_value<double>(json, key, "a number", path); };
+    return {number("rotation_rad"), number("min_finger_clearance_m"), {}};
 }
 
 } // namespace
 
 bool operator==(const RunSpecification &a, const RunSpecification &b)
 {
-    return fields(a) == fields(b);
+    // A whole number counts as the same with or without its ".0".
+    return plain_fields(a) == plain_fields(b) && (a.settings == b.settings || settings_of(a) == settings_of(b));
 }
 
 bool operator!=(const RunSpecification &a, const RunSpecification &b)
@@ -69,10 +107,10 @@ void write_run(const std::filesystem::path &path, const Run &run)
     json["command"] = run.command;
     json["versions"] = {
         {"twiddle", version()}, {"git_commit", git_commit()}, {"bullet", bullet_version()}, {"compiler", compiler()}};
-    if (!run.summary.is_null()) json["summary"] = run.summary;
-    if (!run.replay.is_null()) json["replay"] = run.replay;
+    if (run.summary) json["summary"] = summary_json(*run.summary);
+    if (run.replay) json["replay"] = replay_json(*run.replay);
     json["setup"] = specification.setup;
-    json["settings"] = specification.settings;
+    json["settings"] = settings_of(specification);
     write_json(path, json);
 }
 
@@ -88,8 +126,9 @@ Run read_run(const std::filesystem::path &path)
     run.command = json_value<std::string>(json, "command", "a text", path);
     if (json.contains("target")) run.target = json_value<std::string>(json, "target", "a text", path);
     if (json.contains("port")) run.port = json_value<std::string>(json, "port", "a text", path);
-    run.summary = json.value("summary", Json());
-    run.replay = json.value("replay", Json());
+    if (json.contains("summary"))
+        run.summary = read_summary(json_value<Json>(json, "summary", "an object", path), path);
+    if (json.contains("replay")) run.replay = read_replay(json_value<Json>(json, "replay", "an object", path), path);
     return run;
 }
 

@@ -1,5 +1,6 @@
 #include "sweep_results.hpp"
 
+#include "record/json_file.hpp"
 #include "record/run_json.hpp"
 #include "rotation_log.hpp"
 #include "statistics.hpp"

@@ -1,5 +1,7 @@
 #include "articulated_hand.hpp"
 
+#include "settings/constants.hpp"
+
 #include "rigid_group.hpp"
 
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
@@ -21,9 +23,8 @@ int root_of(const HandModel &model, int link)
     return link;
 }
 
-double held_angle_rad(const HandSetup &setup, Finger finger)
+double held_angle_rad(const settings::HandSetup &setup, Finger finger)
 {
-    constexpr double rad_per_deg = SIMD_RADS_PER_DEG;
     if (finger == Finger::index) return setup.index_distal_deg * rad_per_deg;
     if (finger == Finger::thumb) return setup.thumb_distal_deg * rad_per_deg;
     return setup.other_fingers_deg * rad_per_deg;
@@ -36,7 +37,8 @@ bool contains(const std::array<int, joint_count> &list, int value)
 
 } // namespace
 
-ArticulatedHand::ArticulatedHand(const HandModel &model, const HandSetup &setup, HandHold hold) : model_(model)
+ArticulatedHand::ArticulatedHand(const HandModel &model, const settings::HandSetup &setup, HandHold hold)
+    : model_(model)
 {
     select_links(setup, hold);
     build_body(setup.reflected_inertia_kg_m2);
@@ -53,7 +55,7 @@ int ArticulatedHand::parent_of(int model_link) const
     return -1;
 }
 
-void ArticulatedHand::select_links(const HandSetup &setup, HandHold hold)
+void ArticulatedHand::select_links(const settings::HandSetup &setup, HandHold hold)
 {
     std::array<int, joint_count> driven{};
     for (std::size_t j = 0; j < joint_count; j++)

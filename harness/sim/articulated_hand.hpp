@@ -2,8 +2,8 @@
 #pragma once
 
 #include "hand_model.hpp"
-#include "joints.hpp"
-#include "setup.hpp"
+#include "settings/joints.hpp"
+#include "settings/setup.hpp"
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/Featherstone/btMultiBody.h>
@@ -38,7 +38,7 @@ class ArticulatedHand
 {
   public:
     // Builds the multibody with the palm at X_palm_hand. Throws std::runtime_error if the model lacks a controlled joint.
-    ArticulatedHand(const HandModel &model, const HandSetup &setup, HandHold hold);
+    ArticulatedHand(const HandModel &model, const settings::HandSetup &setup, HandHold hold);
 
     btMultiBody &body()
     {
@@ -92,7 +92,7 @@ class ArticulatedHand
     std::array<btVector3, 2> p_palm_capsule_m(int link) const;
 
   private:
-    void select_links(const HandSetup &setup, HandHold hold);
+    void select_links(const settings::HandSetup &setup, HandHold hold);
     void build_body(double reflected_inertia_kg_m2);
     void add_body_link(int body_link, double reflected_inertia_kg_m2);
     void add_collider(int link);

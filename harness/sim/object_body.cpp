@@ -15,7 +15,7 @@ double hinge_inertia_kg_m2(const ObjectBody &body, double mass_kg)
 
 } // namespace
 
-ObjectBody object_body(const ObjectSpec &spec, const ObjectSetup &setup)
+ObjectBody object_body(const ObjectSpec &spec, const settings::ObjectSetup &setup)
 {
     ObjectBody body;
     body.shape = spec.shape;
@@ -24,7 +24,7 @@ ObjectBody object_body(const ObjectSpec &spec, const ObjectSetup &setup)
     if (spec.shape != Shape::cube) body.radius_m = spec.size_m;
     if (spec.shape == Shape::cylinder) body.height_m = setup.cylinder_height_m;
     if (spec.shape == Shape::cube) {
-        const double scale = setup.cube_size == CubeSize::half_diagonal ? 2 : 1;
+        const double scale = setup.cube_size == settings::CubeSize::half_diagonal ? 2 : 1;
         body.side_m = scale * spec.side_m;
         body.height_m = scale * spec.height_m;
     }

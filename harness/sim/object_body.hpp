@@ -2,7 +2,7 @@
 #pragma once
 
 #include "object.hpp"
-#include "setup.hpp"
+#include "settings/setup.hpp"
 
 #include <LinearMath/btVector3.h>
 
@@ -21,6 +21,6 @@ struct ObjectBody {
 };
 
 // The set-up's reading of an object: cylinder height, cube size, place, mass.
-ObjectBody object_body(const ObjectSpec &spec, const ObjectSetup &setup);
+ObjectBody object_body(const ObjectSpec &spec, const settings::ObjectSetup &setup);
 
 } // namespace twiddle::sim

@@ -1,6 +1,6 @@
 #include "urdf_file.hpp"
 
-#include "text_file.hpp"
+#include "settings/text_file.hpp"
 
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
@@ -69,7 +69,7 @@ bool is_tree(const urdf::ModelInterface &model)
 
 urdf::ModelInterfaceSharedPtr read_urdf(const std::filesystem::path &path)
 {
-    const std::string text = read_text_file(path);
+    const std::string text = settings::read_text_file(path);
     FirstError error;
     urdf::ModelInterfaceSharedPtr model;
     try {

@@ -9,7 +9,7 @@
 namespace twiddle::sim
 {
 
-btVector3 gravity_palm_m_s2(const PhysicsSetup &setup)
+btVector3 gravity_palm_m_s2(const settings::PhysicsSetup &setup)
 {
     const auto &d = setup.gravity_direction;
     const btVector3 direction_hand(d[0], d[1], d[2]);
@@ -30,8 +30,8 @@ Stepper stepper_of_name(const std::string &name)
     return static_cast<Stepper>(found - names.begin());
 }
 
-std::unique_ptr<World> make_world(Stepper stepper, const HandModel &hand, const ObjectSpec &object, const Setup &setup,
-                                  HandHold hold)
+std::unique_ptr<World> make_world(Stepper stepper, const HandModel &hand, const ObjectSpec &object,
+                                  const settings::Setup &setup, HandHold hold)
 {
     if (stepper == Stepper::fast) return make_fast_world(hand, object, setup, hold);
     return make_reference_world(hand, object, setup, hold);

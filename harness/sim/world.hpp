@@ -6,22 +6,20 @@
 
 #include "articulated_hand.hpp"
 #include "hand_model.hpp"
-#include "joints.hpp"
+#include "not_covered.hpp"
 #include "object.hpp"
-#include "setup.hpp"
+#include "settings/joints.hpp"
+#include "settings/setup.hpp"
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace twiddle::sim
 {
 
-constexpr double control_step_s = 0.01; // the paper's
-
 // Gravity in the palm frame.
-btVector3 gravity_palm_m_s2(const PhysicsSetup &setup);
+btVector3 gravity_palm_m_s2(const settings::PhysicsSetup &setup);
 
 // What can be seen of the world after a substep. All in the palm frame.
 struct Observation {
@@ -74,16 +72,9 @@ const std::vector<std::string> &stepper_names();
 // Throws std::out_of_range for a name that is none.
 Stepper stepper_of_name(const std::string &name);
 
-// The stepper does not cover this hand or set-up; the sentence names the one that does.
-class NotCovered : public std::runtime_error
-{
-  public:
-    using std::runtime_error::runtime_error;
-};
-
 // Throws std::runtime_error with one sentence if the straight hand touches the object (it names link, object and depth), and
 // NotCovered if the stepper does not cover this hand or set-up.
-std::unique_ptr<World> make_world(Stepper stepper, const HandModel &hand, const ObjectSpec &object, const Setup &setup,
-                                  HandHold hold);
+std::unique_ptr<World> make_world(Stepper stepper, const HandModel &hand, const ObjectSpec &object,
+                                  const settings::Setup &setup, HandHold hold);
 
 } // namespace twiddle::sim

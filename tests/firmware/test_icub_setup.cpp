@@ -35,7 +35,7 @@ void expect_equal(const twd_gravity &ours, const twd_gravity &theirs)
 // Every setting, and the gravity of both fingers as init made it of their held joints.
 TEST(IcubSetup, controller_is_the_papers)
 {
-    const sim::Setup setup = sim::load_setup(TWIDDLE_MODELS, "paper");
+    const settings::Setup setup = settings::load_setup(TWIDDLE_MODELS, "paper");
     const twd_controller_config theirs = experiment::controller_config(setup, experiment::find_model("cpg-h"), true);
     twd_controller_config ours;
     ASSERT_EQ(icub_controller_config(&ours), TWD_OK);
@@ -73,7 +73,7 @@ TEST(IcubSetup, controller_is_the_papers)
 
 TEST(IcubSetup, learner_is_the_papers)
 {
-    const sim::Setup setup = sim::load_setup(TWIDDLE_MODELS, "paper");
+    const settings::Setup setup = settings::load_setup(TWIDDLE_MODELS, "paper");
     const twd_learner_config theirs =
         experiment::learner_config(setup.learner, experiment::find_model("cpg-h"), true, 40, 7);
     const twd_learner_config ours = icub_learner_config(40, 7);

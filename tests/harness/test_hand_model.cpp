@@ -3,7 +3,7 @@
 #include "scratch_folder.hpp"
 
 #include "sim/hand_model.hpp"
-#include "sim/text_file.hpp"
+#include "settings/text_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -243,7 +243,7 @@ class HandModelFault : public testing::TestWithParam<Fault>
 TEST_P(HandModelFault, is_refused_in_one_sentence)
 {
     const auto [name, part, text, reason] = GetParam();
-    std::string source = sim::read_text_file(urdf);
+    std::string source = settings::read_text_file(urdf);
     const auto at = source.find(part);
     ASSERT_NE(at, std::string::npos) << name;
     source.replace(at, std::string(part).size(), text);

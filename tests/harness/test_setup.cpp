@@ -2,10 +2,10 @@
 #include "scratch_folder.hpp"
 
 #include "sim/hand_model.hpp"
-#include "sim/joints.hpp"
-#include "sim/setting_table.hpp"
-#include "sim/setup.hpp"
-#include "sim/text_file.hpp"
+#include "settings/joints.hpp"
+#include "settings/setting_table.hpp"
+#include "settings/setup.hpp"
+#include "settings/text_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace twiddle
 namespace
 {
 
-using sim::load_setup;
+using settings::load_setup;
 
 // What is known of each set-up; the lengths in m, angles in deg, torques in N m, masses in kg.
 struct Expected {
@@ -44,7 +44,7 @@ class NamedSetup : public testing::TestWithParam<Expected>
 TEST_P(NamedSetup, has_its_values)
 {
     const Expected &e = GetParam();
-    const sim::Setup s = load_setup(TWIDDLE_MODELS, e.name);
+    const settings::Setup s = load_setup(TWIDDLE_MODELS, e.name);
     EXPECT_EQ(s.name, e.name);
     EXPECT_EQ(s.object.hinge_x_m, e.x);
     EXPECT_EQ(s.object.hinge_y_m, e.y);
@@ -61,9 +61,9 @@ TEST_P(NamedSetup, has_its_values)
     EXPECT_EQ(s.oscillators.frequency_upper_hz, e.upper_hz);
     EXPECT_EQ(s.oscillators.lone_frequency_hz, e.lone_hz);
     const double ratio = e.pd_rad_s / 60;
-    const sim::JointVector stiffness = {0.21, 0.32, 0.21, 0.37};
-    const sim::JointVector damping = {0.0069, 0.0107, 0.0069, 0.0122};
-    for (std::size_t joint = 0; joint < sim::joint_count; ++joint) {
+    const JointVector stiffness = {0.21, 0.32, 0.21, 0.37};
+    const JointVector damping = {0.0069, 0.0107, 0.0069, 0.0122};
+    for (std::size_t joint = 0; joint < joint_count; ++joint) {
         EXPECT_NEAR(s.hand.stiffness_nm_per_rad[joint], stiffness[joint] * ratio * ratio, 1e-9);
         EXPECT_NEAR(s.hand.damping_nms_per_rad[joint], damping[joint] * ratio, 1e-9);
     }
@@ -87,18 +87,18 @@ INSTANTIATE_TEST_SUITE_P(
 // Expected: gravity along the straight fingers, 15 deg off -x of `hand`; oscillators and learner as the paper has them.
 TEST(setup, shared_settings_have_their_values)
 {
-    const sim::Setup s = load_setup(TWIDDLE_MODELS, "mid-a");
+    const settings::Setup s = load_setup(TWIDDLE_MODELS, "mid-a");
     EXPECT_NEAR(s.physics.gravity_direction[0], -std::cos(M_PI / 12), 1e-15);
     EXPECT_NEAR(s.physics.gravity_direction[2], std::sin(M_PI / 12), 1e-15);
-    EXPECT_EQ(s.object.cube_size, sim::CubeSize::whole_diagonal);
-    EXPECT_EQ(s.oscillators.phase_start, sim::PhaseStart::desired_lag);
-    EXPECT_EQ(s.oscillators.centre_start, sim::CentreStart::hand);
-    EXPECT_EQ(s.oscillators.return_lag, sim::ReturnLag::negated);
-    EXPECT_EQ(s.oscillators.saturation, sim::Saturation::sum);
-    EXPECT_EQ(s.learner.learned_value, sim::LearnedValue::clipped);
-    EXPECT_EQ(s.learner.selector_noise, sim::SelectorNoise::as_experts);
+    EXPECT_EQ(s.object.cube_size, settings::CubeSize::whole_diagonal);
+    EXPECT_EQ(s.oscillators.phase_start, settings::PhaseStart::desired_lag);
+    EXPECT_EQ(s.oscillators.centre_start, settings::CentreStart::hand);
+    EXPECT_EQ(s.oscillators.return_lag, settings::ReturnLag::negated);
+    EXPECT_EQ(s.oscillators.saturation, settings::Saturation::sum);
+    EXPECT_EQ(s.learner.learned_value, settings::LearnedValue::clipped);
+    EXPECT_EQ(s.learner.selector_noise, settings::SelectorNoise::as_experts);
     EXPECT_FALSE(s.physics.index_thumb_contact);
-    EXPECT_EQ(s.hand.pd_law, sim::PdLaw::plain);
+    EXPECT_EQ(s.hand.pd_law, settings::PdLaw::plain);
     EXPECT_EQ(s.learner.actor_rate, 0.1);
     EXPECT_EQ(s.learner.critic_rate, 0.1);
     EXPECT_EQ(s.learner.noise_start, 0.5);
@@ -134,23 +134,23 @@ double inertia_about_joint(const sim::HandModel &hand, int first_link, const std
 // joints in the middle of their ranges, within a per cent.
 TEST(setup, stable_pd_law_knows_the_hands_inertias)
 {
-    const sim::Setup s = load_setup(TWIDDLE_MODELS, "mid-a");
+    const settings::Setup s = load_setup(TWIDDLE_MODELS, "mid-a");
     const sim::HandModel hand = sim::read_hand_model(std::string(TWIDDLE_MODELS) + "/icub_right_hand.urdf");
     std::vector<double> angle_rad(hand.links.size(), 0);
-    for (const char *joint : sim::joint_urdf_names) {
+    for (const char *joint : joint_urdf_names) {
         const auto link = static_cast<std::size_t>(hand.link_of_joint(joint));
         angle_rad[link] = (hand.links[link].lower_rad + hand.links[link].upper_rad) / 2;
     }
-    for (std::size_t joint = 0; joint < sim::joint_count; ++joint) {
-        const double expected = inertia_about_joint(hand, hand.link_of_joint(sim::joint_urdf_names[joint]), angle_rad,
+    for (std::size_t joint = 0; joint < joint_count; ++joint) {
+        const double expected = inertia_about_joint(hand, hand.link_of_joint(joint_urdf_names[joint]), angle_rad,
                                                     s.hand.reflected_inertia_kg_m2);
-        EXPECT_NEAR(s.hand.pd_inertia_kg_m2[joint], expected, 0.01 * expected) << sim::joint_names[joint];
+        EXPECT_NEAR(s.hand.pd_inertia_kg_m2[joint], expected, 0.01 * expected) << joint_names[joint];
     }
 }
 
 TEST(setup, every_file_loads_and_common_is_no_setup)
 {
-    const auto names = sim::setup_names(TWIDDLE_MODELS);
+    const auto names = settings::setup_names(TWIDDLE_MODELS);
     EXPECT_GE(names.size(), 3u);
     for (const auto &name : names) {
         EXPECT_NE(name, "common");
@@ -161,9 +161,9 @@ TEST(setup, every_file_loads_and_common_is_no_setup)
 // The merged settings are all there is to a set-up: read back from JSON text they give the same settings.
 TEST(setup, travels_through_json)
 {
-    const sim::Setup before = load_setup(TWIDDLE_MODELS, "mid-b", {{"object.mass_kg", "0.2"}});
+    const settings::Setup before = load_setup(TWIDDLE_MODELS, "mid-b", {{"object.mass_kg", "0.2"}});
     const auto text = before.settings.dump();
-    const sim::Setup after = sim::setup_from_settings(nlohmann::json::parse(text), "mid-b", "run.json");
+    const settings::Setup after = settings::setup_from_settings(nlohmann::json::parse(text), "mid-b", "run.json");
     EXPECT_EQ(after.settings, before.settings);
     EXPECT_EQ(after.object.mass_kg, 0.2);
     EXPECT_EQ(after.object.cylinder_height_m, 0.05);
@@ -194,7 +194,7 @@ nlohmann::json other_value(const nlohmann::json &value)
 }
 
 // The bytes of a set-up's plain parts.
-std::string bytes_of(const sim::Setup &setup)
+std::string bytes_of(const settings::Setup &setup)
 {
     std::string bytes;
     const auto append = [&bytes](const auto &part) {
@@ -212,10 +212,10 @@ std::string bytes_of(const sim::Setup &setup)
 // Expected: changing one setting changes bytes of the Setup that no other setting changes.
 TEST(setup, every_setting_is_stored_in_a_place_of_its_own)
 {
-    sim::Setup setup = load_setup(TWIDDLE_MODELS, "mid-a");
+    settings::Setup setup = load_setup(TWIDDLE_MODELS, "mid-a");
     const std::string before = bytes_of(setup);
     std::set<std::size_t> taken;
-    for (const auto &setting : sim::setting_table()) {
+    for (const auto &setting : settings::setting_table()) {
         const auto &value = setup.settings.at(setting.section).at(setting.key);
         ASSERT_TRUE(setting.store(other_value(value), setup)) << setting.key;
         const std::string after = bytes_of(setup);
@@ -231,7 +231,7 @@ TEST(setup, every_setting_is_stored_in_a_place_of_its_own)
 
 TEST(setup, overrides_take_toml_values_and_bare_words)
 {
-    const sim::Setup s = load_setup(TWIDDLE_MODELS, "mid-a",
+    const settings::Setup s = load_setup(TWIDDLE_MODELS, "mid-a",
                                     {{"object.mass_kg", "0.2"},
                                      {"object.cube_size", "half-diagonal"},
                                      {"oscillators.phase_start", "\"zero\""},
@@ -243,13 +243,13 @@ TEST(setup, overrides_take_toml_values_and_bare_words)
                                      {"physics.gravity_direction", "[0, 0, 1]"},
                                      {"object.mass_kg", "0.3"}});
     EXPECT_EQ(s.object.mass_kg, 0.3); // the last one counts
-    EXPECT_EQ(s.object.cube_size, sim::CubeSize::half_diagonal);
-    EXPECT_EQ(s.oscillators.phase_start, sim::PhaseStart::zero);
-    EXPECT_EQ(s.hand.pd_law, sim::PdLaw::stable);
+    EXPECT_EQ(s.object.cube_size, settings::CubeSize::half_diagonal);
+    EXPECT_EQ(s.oscillators.phase_start, settings::PhaseStart::zero);
+    EXPECT_EQ(s.hand.pd_law, settings::PdLaw::stable);
     EXPECT_TRUE(s.physics.index_thumb_contact);
     EXPECT_EQ(s.physics.substeps, 7);
     EXPECT_EQ(s.object.counted_direction, 1);
-    EXPECT_EQ(s.hand.damping_nms_per_rad, (sim::JointVector{0.1, 0.2, 0.3, 0.4}));
+    EXPECT_EQ(s.hand.damping_nms_per_rad, (JointVector{0.1, 0.2, 0.3, 0.4}));
     EXPECT_EQ(s.physics.gravity_direction[2], 1);
 }
 
@@ -292,7 +292,7 @@ TEST(setup, a_wrong_override_is_refused_in_one_sentence_that_names_it)
 
 TEST(setup, settings_that_contradict_each_other_are_refused)
 {
-    for (const auto &[name, value] : std::vector<sim::Override>{{"oscillators.frequency_lower_hz", "4"},
+    for (const auto &[name, value] : std::vector<settings::Override>{{"oscillators.frequency_lower_hz", "4"},
                                                                 {"oscillators.centre_lower", "1"},
                                                                 {"learner.noise_end", "0.9"}}) {
         const std::string error = test::error_of([&, n = name, v = value] {
@@ -322,7 +322,7 @@ TEST(setup, a_wrong_file_is_refused_in_one_sentence_that_names_it)
         const std::string error = test::error_of([&, p = path] { load_setup(TWIDDLE_MODELS, p.string()); });
         EXPECT_TRUE(test::is_one_sentence_with(error, {reason})) << text << error;
     }
-    const sim::Setup own = load_setup(TWIDDLE_MODELS, folder.write("own.toml", "[object]\nmass_kg = 1\n").string());
+    const settings::Setup own = load_setup(TWIDDLE_MODELS, folder.write("own.toml", "[object]\nmass_kg = 1\n").string());
     EXPECT_EQ(own.name, "own");
     EXPECT_EQ(own.object.mass_kg, 1);
 }
@@ -342,22 +342,22 @@ TEST(setup, an_unknown_name_lists_the_known_ones)
 TEST(setup, incomplete_settings_are_refused)
 {
     const auto whole = load_setup(TWIDDLE_MODELS, "mid-a").settings;
-    for (const auto &setting : sim::setting_table()) {
+    for (const auto &setting : settings::setting_table()) {
         auto settings = whole;
         settings[setting.section].erase(setting.key);
-        const std::string error = test::error_of([&] { sim::setup_from_settings(settings, "mid-a", "run.json"); });
+        const std::string error = test::error_of([&] { settings::setup_from_settings(settings, "mid-a", "run.json"); });
         const std::string title = "[" + setting.section + "] " + setting.key;
         EXPECT_TRUE(test::is_one_sentence_with(error, {"run.json: " + title + " is missing; expected"})) << error;
     }
     const std::string error =
-        test::error_of([] { sim::setup_from_settings(nlohmann::json::array(), "mid-a", "run.json"); });
+        test::error_of([] { settings::setup_from_settings(nlohmann::json::array(), "mid-a", "run.json"); });
     EXPECT_TRUE(test::is_one_sentence_with(error, {"run.json:", "no settings"})) << error;
 }
 
 // Each setting in common.toml, and no other, stands below a comment of its own or of its group.
 TEST(setup, every_default_stands_below_a_comment)
 {
-    std::istringstream file(sim::read_text_file(std::string(TWIDDLE_MODELS) + "/setups/common.toml"));
+    std::istringstream file(settings::read_text_file(std::string(TWIDDLE_MODELS) + "/setups/common.toml"));
     bool explained = false;
     std::size_t settings = 0;
     for (std::string line; std::getline(file, line);) {
@@ -367,7 +367,7 @@ TEST(setup, every_default_stands_below_a_comment)
         EXPECT_TRUE(explained) << line;
         ++settings;
     }
-    EXPECT_EQ(settings, sim::setting_table().size());
+    EXPECT_EQ(settings, settings::setting_table().size());
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "contact_finder.hpp"
 #include "finger_dynamics.hpp"
 #include "finger_kinematics.hpp"
+#include "settings/constants.hpp"
 #include "sim/clearance.hpp"
 #include "sim/object_body.hpp"
 
@@ -34,13 +35,13 @@ struct RememberedContact {
     throw NotCovered("the fast stepper does not cover " + what + "; use --stepper reference");
 }
 
-void require_coverage(const HandHold hold, const PhysicsSetup &setup)
+void require_coverage(const HandHold hold, const settings::PhysicsSetup &setup)
 {
     if (hold != HandHold::welded) refuse("--hand full");
     if (setup.index_thumb_contact) refuse("contact between the fingers ([contact] index_thumb_contact)");
 }
 
-FingerModel finger_model(ArticulatedHand &hand, Joint first, Joint second, const PhysicsSetup &physics,
+FingerModel finger_model(ArticulatedHand &hand, Joint first, Joint second, const settings::PhysicsSetup &physics,
                          const btVector3 &p_palm_centre_m)
 {
     const int first_link = hand.controlled()[first], second_link = hand.controlled()[second];
@@ -76,7 +77,7 @@ JointStops joint_stops(const HandModel &model, const std::array<std::size_t, 2> 
 class FastWorld final : public World
 {
   public:
-    FastWorld(const HandModel &model, const ObjectSpec &spec, const Setup &setup);
+    FastWorld(const HandModel &model, const ObjectSpec &spec, const settings::Setup &setup);
 
     void reset() override
     {
@@ -108,7 +109,7 @@ class FastWorld final : public World
     void find_contacts(const Velocities &free);
     void integrate(const Velocities &velocities);
 
-    const Setup setup_;
+    const settings::Setup setup_;
     const double substep_s_;
     const ObjectBody object_;
     mutable ArticulatedHand hand_; // the source of all constants, and the body that observe() poses
@@ -127,7 +128,7 @@ class FastWorld final : public World
     ShortList<RememberedContact, most_contacts> remembered_; // of the last substep
 };
 
-FastWorld::FastWorld(const HandModel &model, const ObjectSpec &spec, const Setup &setup)
+FastWorld::FastWorld(const HandModel &model, const ObjectSpec &spec, const settings::Setup &setup)
     : setup_(setup), substep_s_(control_step_s / setup.physics.substeps), object_(object_body(spec, setup.object)),
       hand_(model, setup.hand, HandHold::welded), fingers_{finger_model(hand_, aai, fei, setup.physics,
                                                                         object_.p_palm_centre_m),
@@ -239,7 +240,7 @@ Observation FastWorld::observe() const
 
 } // namespace
 
-std::unique_ptr<World> make_fast_world(const HandModel &hand, const ObjectSpec &object, const Setup &setup,
+std::unique_ptr<World> make_fast_world(const HandModel &hand, const ObjectSpec &object, const settings::Setup &setup,
                                        HandHold hold)
 {
     require_coverage(hold, setup.physics);

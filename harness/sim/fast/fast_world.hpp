@@ -14,7 +14,7 @@ namespace twiddle::sim
 
 // Throws std::runtime_error if the straight hand touches the object, and NotCovered, naming the reference stepper, if the hand is not
 // two fingers of two moving joints each or if fingers may touch each other.
-std::unique_ptr<World> make_fast_world(const HandModel &hand, const ObjectSpec &object, const Setup &setup,
+std::unique_ptr<World> make_fast_world(const HandModel &hand, const ObjectSpec &object, const settings::Setup &setup,
                                        HandHold hold);
 
 } // namespace twiddle::sim

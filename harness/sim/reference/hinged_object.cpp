@@ -26,7 +26,7 @@ std::unique_ptr<btCollisionShape> make_shape(const ObjectBody &body)
 
 } // namespace
 
-HingedObject::HingedObject(const ObjectBody &body, const ObjectSetup &setup, double substep_s)
+HingedObject::HingedObject(const ObjectBody &body, const settings::ObjectSetup &setup, double substep_s)
     : viscous_nms_per_rad_(setup.viscous_nms_per_rad), shape_(make_shape(body)),
       body_(std::make_unique<btMultiBody>(1, 0, btVector3(0, 0, 0), true, false))
 {

@@ -1,8 +1,8 @@
 // hinged_object.hpp: the object on its hinge, a one-joint Bullet multibody with friction in the joint.
 #pragma once
 
+#include "settings/setup.hpp"
 #include "sim/object_body.hpp"
-#include "sim/setup.hpp"
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/Featherstone/btMultiBody.h>
@@ -18,7 +18,7 @@ class HingedObject
 {
   public:
     // The hinge runs through the centre along the palm's z axis.
-    HingedObject(const ObjectBody &body, const ObjectSetup &setup, double substep_s);
+    HingedObject(const ObjectBody &body, const settings::ObjectSetup &setup, double substep_s);
 
     btMultiBody &body()
     {

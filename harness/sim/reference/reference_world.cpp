@@ -3,6 +3,7 @@
 #include "cone_friction_solver.hpp"
 #include "hinged_object.hpp"
 #include "joint_stop.hpp"
+#include "settings/constants.hpp"
 #include "sim/clearance.hpp"
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
@@ -63,7 +64,7 @@ struct Stage {
 class ReferenceWorld final : public World
 {
   public:
-    ReferenceWorld(const HandModel &model, const ObjectSpec &spec, const Setup &set_up, HandHold hold)
+    ReferenceWorld(const HandModel &model, const ObjectSpec &spec, const settings::Setup &set_up, HandHold hold)
         : setup_(set_up), substep_s_(control_step_s / set_up.physics.substeps), hand_(model, set_up.hand, hold),
           object_shape_(object_body(spec, set_up.object)), object_(object_shape_, set_up.object, substep_s_)
     {
@@ -181,7 +182,7 @@ class ReferenceWorld final : public World
         }
     }
 
-    const Setup setup_;
+    const settings::Setup setup_;
     const double substep_s_;
     ArticulatedHand hand_;
     const ObjectBody object_shape_;
@@ -245,8 +246,8 @@ int ReferenceWorld::substeps_per_step() const
 
 } // namespace
 
-std::unique_ptr<World> make_reference_world(const HandModel &hand, const ObjectSpec &object, const Setup &setup,
-                                            HandHold hold)
+std::unique_ptr<World> make_reference_world(const HandModel &hand, const ObjectSpec &object,
+                                            const settings::Setup &setup, HandHold hold)
 {
     return std::make_unique<ReferenceWorld>(hand, object, setup, hold);
 }

@@ -7,7 +7,7 @@ namespace twiddle::sim
 {
 
 // Throws std::runtime_error if the straight hand touches the object.
-std::unique_ptr<World> make_reference_world(const HandModel &hand, const ObjectSpec &object, const Setup &setup,
-                                            HandHold hold);
+std::unique_ptr<World> make_reference_world(const HandModel &hand, const ObjectSpec &object,
+                                            const settings::Setup &setup, HandHold hold);
 
 } // namespace twiddle::sim

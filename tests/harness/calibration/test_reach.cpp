@@ -53,7 +53,7 @@ double index_gap_m(ArticulatedHand &hand, const ObjectBody &sphere, double fei_d
 
 TEST(Reach, the_index_meets_a_sphere_where_a_closed_form_says)
 {
-    const sim::Setup setup = default_setup();
+    const settings::Setup setup = default_setup();
     ArticulatedHand hand(icub_hand(), setup.hand, HandHold::welded);
     Reach reach(icub_hand(), setup);
     for (const char *name : {"small-sphere", "medium-sphere", "large-sphere"}) {

@@ -1,7 +1,7 @@
 #include "calibration/search_space.hpp"
 
 #include "scratch_folder.hpp"
-#include "sim/setup.hpp"
+#include "settings/setup.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ const std::vector<Variable> variables = {
 
 json settings()
 {
-    return sim::load_setup(TWIDDLE_MODELS, "mid-a").settings;
+    return settings::load_setup(TWIDDLE_MODELS, "mid-a").settings;
 }
 
 // Half way between 0.001 and 0.1 by factors is their geometric mean, 0.01.
@@ -60,7 +60,7 @@ TEST(SearchSpace, a_written_set_up_reads_back_as_the_settings_that_were_tried)
     const test::ScratchFolder folder;
     const auto values = values_at(variables, {0.3, 0.7, 0.9, 0.1});
     const auto path = folder.write("found.toml", setup_text(settings(), variables, values, {"found by a test"}));
-    EXPECT_EQ(sim::load_setup(TWIDDLE_MODELS, path.string()).settings, with_values(settings(), variables, values));
+    EXPECT_EQ(settings::load_setup(TWIDDLE_MODELS, path.string()).settings, with_values(settings(), variables, values));
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 #include "record/csv_columns.hpp"
 #include "record/json_file.hpp"
 #include "record/policy_json.hpp"
-#include "results/run_measures.hpp"
+#include "claims/run_measures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -237,7 +237,7 @@ TEST(SummarizeClaims, frequency_is_that_of_the_desired_angles)
         ASSERT_EQ(run_twiddle("replay " + run).status, 0);
         const twiddle::results::Sweep sweep{"", "", 20, {}, {}};
         const auto measures =
-            twiddle::results::read_run_measures(folder.path(), sweep, {"run", "", "small-sphere", model, true, 3});
+            twiddle::claims::read_run_measures(folder.path(), sweep, {"run", "", "small-sphere", model, true, 3});
         ASSERT_TRUE(measures.frequency);
         const auto joints = twiddle::record::read_csv_columns(
             run + "/trajectory.csv", {"desired_fei_rad", "desired_aai_rad", "desired_fet_rad", "desired_ot_rad"});

@@ -15,9 +15,9 @@ using namespace twiddle::experiment;
 // Half a step of a fixed-point number.
 constexpr double rounding = std::is_floating_point_v<twd_num> ? 1e-9 : 1.9e-9;
 
-sim::Setup mid_a()
+settings::Setup mid_a()
 {
-    return sim::load_setup(TWIDDLE_MODELS, "mid-a");
+    return settings::load_setup(TWIDDLE_MODELS, "mid-a");
 }
 
 // Gains, ranges and limits of the default set-up reach the joints they are named for. Expected: the set-up's values, and the
@@ -53,7 +53,7 @@ TEST(ControllerSetup, open_choices_reach_the_library)
     EXPECT_EQ(plain.oscillators.centre_start, TWD_CENTRE_START_AT_TOPOLOGY);
     EXPECT_EQ(plain.saturation, TWD_SATURATE_SUM);
     const auto changed = [](const char *setting, const char *value) {
-        const sim::Setup setup = sim::load_setup(TWIDDLE_MODELS, "mid-a", {{setting, value}});
+        const settings::Setup setup = settings::load_setup(TWIDDLE_MODELS, "mid-a", {{setting, value}});
         return controller_config(setup, find_model("cpg-h"), true);
     };
     EXPECT_EQ(changed("oscillators.return_lag", "equal").oscillators.return_lag, TWD_RETURN_LAG_EQUAL);
@@ -66,11 +66,11 @@ TEST(ControllerSetup, open_choices_reach_the_library)
 // Without noise on the selector, its three units are silent; a model without selector has none.
 TEST(ControllerSetup, open_choices_reach_the_learner)
 {
-    const sim::LearnerSetup plain = mid_a().learner;
+    const settings::LearnerSetup plain = mid_a().learner;
     EXPECT_EQ(learner_config(plain, find_model("cpg-h"), true, 10, 1).silent_units, 0U);
     EXPECT_EQ(learner_config(plain, find_model("cpg-h"), true, 10, 1).learned_value, TWD_LEARN_FROM_CLIPPED);
-    const sim::LearnerSetup changed =
-        sim::load_setup(TWIDDLE_MODELS, "mid-a",
+    const settings::LearnerSetup changed =
+        settings::load_setup(TWIDDLE_MODELS, "mid-a",
                         {{"learner.selector_noise", "none"}, {"learner.learned_value", "unclipped"}})
             .learner;
     EXPECT_EQ(learner_config(changed, find_model("cpg-h"), true, 10, 1).silent_units, 3U);
@@ -83,8 +83,8 @@ TEST(ControllerSetup, open_choices_reach_the_learner)
 TEST(ControllerSetup, stable_pd_law_takes_its_period_from_the_substeps)
 {
     for (const int substeps : {2, 5}) {
-        const sim::Setup setup =
-            sim::load_setup(TWIDDLE_MODELS, "mid-a",
+        const settings::Setup setup =
+            settings::load_setup(TWIDDLE_MODELS, "mid-a",
                             {{"hand.pd_law", "stable"},
                              {"hand.pd_inertia_kg_m2", "{ fei = 4e-5, aai = 5e-5, fet = 6e-5, ot = 7e-5 }"},
                              {"physics.substeps", std::to_string(substeps)}});
@@ -108,10 +108,10 @@ TEST(ControllerSetup, chains_move_their_own_joints)
 {
     const twd_controller_config config = controller_config(mid_a(), find_model("cpg-c"), true);
     ASSERT_EQ(config.fingers, 2);
-    EXPECT_EQ(config.finger[0].joint[0], sim::aai);
-    EXPECT_EQ(config.finger[0].joint[1], sim::fei);
-    EXPECT_EQ(config.finger[1].joint[0], sim::ot);
-    EXPECT_EQ(config.finger[1].joint[1], sim::fet);
+    EXPECT_EQ(config.finger[0].joint[0], aai);
+    EXPECT_EQ(config.finger[0].joint[1], fei);
+    EXPECT_EQ(config.finger[1].joint[0], ot);
+    EXPECT_EQ(config.finger[1].joint[1], fet);
     EXPECT_EQ(config.finger[0].gravity.moving, 2);
 }
 
@@ -119,7 +119,7 @@ TEST(ControllerSetup, chains_move_their_own_joints)
 // moving link; the same of the first, which carries the same weight at the same joint.
 TEST(ControllerSetup, held_angles_reach_the_gravity_table)
 {
-    const auto bent_setup = sim::load_setup(TWIDDLE_MODELS, "mid-a", {{"hand.index_distal_deg", "20"}});
+    const auto bent_setup = settings::load_setup(TWIDDLE_MODELS, "mid-a", {{"hand.index_distal_deg", "20"}});
     const auto straight = controller_config(mid_a(), find_model("cpg-c"), true).finger[0].gravity;
     const auto bent = controller_config(bent_setup, find_model("cpg-c"), true).finger[0].gravity;
     for (int axis = 0; axis < 3; ++axis)

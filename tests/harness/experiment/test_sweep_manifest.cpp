@@ -1,8 +1,8 @@
-#include "experiment/sweep_manifest.hpp"
+#include "sweeps/sweep_manifest.hpp"
 
 #include "../scratch_folder.hpp"
 #include "experiment/training.hpp"
-#include "sim/setup.hpp"
+#include "settings/setup.hpp"
 
 #include <gtest/gtest.h>
 
@@ -108,7 +108,7 @@ TEST(SweepManifest, settings_are_those_of_the_set_up_and_the_variant)
     const RunSpecification &plain = silent.runs.at(0).specification;
     EXPECT_EQ(plain.setup, "mid-b");
     EXPECT_EQ(plain.stepper, "reference");
-    EXPECT_EQ(plain.settings, twiddle::sim::load_setup(models, "mid-b").settings);
+    EXPECT_EQ(plain.settings, twiddle::settings::load_setup(models, "mid-b").settings);
 
     const SweepPlan told = plan_of_text(
         folder, "setup = \"near\"\nstepper = \"fast\"\n" + one_block +
@@ -116,9 +116,9 @@ TEST(SweepManifest, settings_are_those_of_the_set_up_and_the_variant)
                     "set = { \"contact.friction\" = 0.25, \"oscillators.phase_start\" = \"zero\" }\n");
     ASSERT_EQ(told.runs.size(), 5U);
     EXPECT_EQ(told.runs[0].specification.stepper, "fast");
-    EXPECT_EQ(told.runs[0].specification.settings, twiddle::sim::load_setup(models, "near").settings);
+    EXPECT_EQ(told.runs[0].specification.settings, twiddle::settings::load_setup(models, "near").settings);
     const auto changed =
-        twiddle::sim::load_setup(models, "near", {{"contact.friction", "0.25"}, {"oscillators.phase_start", "zero"}});
+        twiddle::settings::load_setup(models, "near", {{"contact.friction", "0.25"}, {"oscillators.phase_start", "zero"}});
     EXPECT_EQ(told.runs[4].specification.settings, changed.settings);
 }
 
@@ -132,9 +132,9 @@ TEST(SweepManifest, chosen_set_up_takes_the_manifests_place)
                                                     "set = { \"contact.friction\" = 0.25 }\n");
     const SweepPlan plan = read_sweep_manifest(path, models, some_defaults(), "near");
     EXPECT_EQ(plan.common.setup, "near");
-    EXPECT_EQ(plan.runs.at(0).specification.settings, twiddle::sim::load_setup(models, "near").settings);
+    EXPECT_EQ(plan.runs.at(0).specification.settings, twiddle::settings::load_setup(models, "near").settings);
     EXPECT_EQ(plan.runs.at(1).specification.settings,
-              twiddle::sim::load_setup(models, "near", {{"contact.friction", "0.25"}}).settings);
+              twiddle::settings::load_setup(models, "near", {{"contact.friction", "0.25"}}).settings);
     const std::string error = error_of([&] { read_sweep_manifest(path, models, some_defaults(), "nowhere"); });
     EXPECT_TRUE(is_one_sentence_with(error, {"there is no set-up \"nowhere\"", "near"})) << error;
 }

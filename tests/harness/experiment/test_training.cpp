@@ -20,7 +20,7 @@ record::RunSpecification specification(const std::string &model, std::uint32_t t
     specification.hand = "welded";
     specification.stepper = "fast";
     specification.setup = "mid-a";
-    specification.settings = sim::load_setup(TWIDDLE_MODELS, "mid-a", {{"learner.reward_per_rad", "0.5"}}).settings;
+    specification.settings = settings::load_setup(TWIDDLE_MODELS, "mid-a", {{"learner.reward_per_rad", "0.5"}}).settings;
     return specification;
 }
 

@@ -19,7 +19,7 @@ TrialRunner runner(const std::string &object, const std::string &model, bool wit
 {
     return TrialRunner(sim::Stepper::fast,
                        sim::read_hand_model(std::filesystem::path(TWIDDLE_MODELS) / "icub_right_hand.urdf"),
-                       sim::read_object(TWIDDLE_MODELS, object), sim::load_setup(TWIDDLE_MODELS, "mid-a"),
+                       sim::read_object(TWIDDLE_MODELS, object), settings::load_setup(TWIDDLE_MODELS, "mid-a"),
                        sim::HandHold::welded, find_model(model), with_centre);
 }
 
@@ -74,17 +74,17 @@ TEST(Trial, commands_stay_in_range)
     TrialRunner trials = runner("large-cylinder", "cpg-c");
     const Trajectory trajectory = record_trajectory(trials, random_parameters(12, 6));
     const double deg = 3.14159265358979 / 180;
-    const sim::JointVector lower_deg = {0, -15, 0, 0};
-    const sim::JointVector upper_deg = {90, 15, 90, 130};
+    const JointVector lower_deg = {0, -15, 0, 0};
+    const JointVector upper_deg = {90, 15, 90, 130};
     for (const TrajectoryRow &row : trajectory.rows) {
-        for (std::size_t i = 0; i < sim::joint_count; ++i) {
+        for (std::size_t i = 0; i < joint_count; ++i) {
             EXPECT_GE(row.sample.desired_rad[i], lower_deg[i] * deg - 1e-6);
             EXPECT_LE(row.sample.desired_rad[i], upper_deg[i] * deg + 1e-6);
             EXPECT_LE(std::abs(row.sample.torque_nm[i]), 1);
         }
         EXPECT_GE(row.observation.finger_clearance_m, trajectory.min_finger_clearance_m);
     }
-    EXPECT_NEAR(trajectory.rows.front().sample.desired_rad[sim::aai], 0, 1 * deg);
+    EXPECT_NEAR(trajectory.rows.front().sample.desired_rad[aai], 0, 1 * deg);
 }
 
 // CPG-S drives all joints by one oscillator: without centre, all desired angles are the same fraction of their ranges.
@@ -94,10 +94,10 @@ TEST(Trial, one_oscillator_moves_all_joints_alike)
     const Trajectory trajectory = record_trajectory(trials, {TWD_NUM(0.4)});
     const double deg = 3.14159265358979 / 180;
     for (const TrajectoryRow &row : trajectory.rows) {
-        const double fraction = row.sample.desired_rad[sim::fei] / (90 * deg);
-        EXPECT_NEAR(row.sample.desired_rad[sim::aai], (-15 + 30 * fraction) * deg, 1e-5);
-        EXPECT_NEAR(row.sample.desired_rad[sim::fet], 90 * deg * fraction, 1e-5);
-        EXPECT_NEAR(row.sample.desired_rad[sim::ot], 130 * deg * fraction, 1e-5);
+        const double fraction = row.sample.desired_rad[fei] / (90 * deg);
+        EXPECT_NEAR(row.sample.desired_rad[aai], (-15 + 30 * fraction) * deg, 1e-5);
+        EXPECT_NEAR(row.sample.desired_rad[fet], 90 * deg * fraction, 1e-5);
+        EXPECT_NEAR(row.sample.desired_rad[ot], 130 * deg * fraction, 1e-5);
     }
 }
 
@@ -116,7 +116,7 @@ TEST(Trial, impossible_states_are_told_from_possible_ones)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinite = std::numeric_limits<double>::infinity();
-    const sim::JointVector rest{};
+    const JointVector rest{};
     EXPECT_TRUE(is_possible({1.57, -0.26, 1.57, 2.27}, {100, -100, 0, 0}, -30));
     for (const double bad : {nan, infinite, -infinite}) {
         EXPECT_FALSE(is_possible({0, 0, bad, 0}, rest, 0));

@@ -8,7 +8,7 @@
 #include "record/csv_columns.hpp"
 #include "record/policy_json.hpp"
 #include "record/run_json.hpp"
-#include "sim/joints.hpp"
+#include "settings/joints.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,9 +54,9 @@ record::RunSpecification specification_of(const exported &run)
     return record::read_run(runs / run.folder / "run.json").specification;
 }
 
-sim::Setup setup_of(const record::RunSpecification &specification)
+settings::Setup setup_of(const record::RunSpecification &specification)
 {
-    return sim::setup_from_settings(specification.settings, specification.setup, "the run's settings");
+    return settings::setup_from_settings(specification.settings, specification.setup, "the run's settings");
 }
 
 template <class Number> bool same(const Number *a, const Number *b, std::size_t count)
@@ -113,7 +113,7 @@ TEST(Export, skill_moves_as_the_replay)
     for (const exported &run : own_runs()) {
         SCOPED_TRACE(run.folder);
         std::vector<std::string> names;
-        for (const std::string joint : sim::joint_names) {
+        for (const std::string joint : joint_names) {
             names.push_back("desired_" + joint + "_rad");
         }
         const auto replayed = record::read_csv_columns(runs / run.folder / "trajectory.csv", names);
@@ -123,7 +123,7 @@ TEST(Export, skill_moves_as_the_replay)
         for (int tick = 0; tick < run.skill->trial_ticks; ++tick) {
             std::array<twd_num, TWD_MAX_JOINTS> desired_rad{};
             twd_controller_tick(&controller, desired_rad.data());
-            for (std::size_t i = 0; i < sim::joint_count; ++i) {
+            for (std::size_t i = 0; i < joint_count; ++i) {
                 ASSERT_EQ(twd_num_to_double(desired_rad[i]), replayed[i][tick]) << tick;
             }
         }
@@ -134,7 +134,7 @@ TEST(Export, skill_moves_as_the_replay)
 twd_learner trained_again(const exported &run, const LearnerInput &input)
 {
     const record::RunSpecification specification = specification_of(run);
-    const sim::LearnerSetup learner = setup_of(specification).learner;
+    const settings::LearnerSetup learner = setup_of(specification).learner;
     const twd_learner_config config = learner_config(learner, find_model(specification.model), specification.centre,
                                                      specification.trials, specification.seed);
     twd_learner agent{};
@@ -154,7 +154,7 @@ TEST(Export, learner_goes_on_as_the_runs)
     for (const exported &run : own_runs()) {
         SCOPED_TRACE(run.folder);
         const record::RunSpecification specification = specification_of(run);
-        const sim::LearnerSetup learner = setup_of(specification).learner;
+        const settings::LearnerSetup learner = setup_of(specification).learner;
         const LearnerInput input = learner_input(sim::read_object(TWIDDLE_MODELS, specification.object), learner);
         twd_learner theirs = trained_again(run, input);
         twd_learner ours{};

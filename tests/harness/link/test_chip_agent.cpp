@@ -84,7 +84,7 @@ class Chip
 
 AgentSetup setup()
 {
-    const sim::Setup paper = sim::load_setup(TWIDDLE_MODELS, "paper");
+    const settings::Setup paper = settings::load_setup(TWIDDLE_MODELS, "paper");
     const twd_model &model = find_model("cpg-h");
     return {paper.name, controller_config(paper, model, true), learner_config(paper.learner, model, true, 20, 7)};
 }
@@ -110,7 +110,7 @@ TEST(ChipAgent, chip_says_the_same_as_this_process)
     const auto there = link::make_chip_agent(chip.connection(), setup());
     const auto here = make_local_agent(setup());
     const LearnerInput input =
-        learner_input(sim::read_object(TWIDDLE_MODELS, "small-cube"), sim::load_setup(TWIDDLE_MODELS, "paper").learner);
+        learner_input(sim::read_object(TWIDDLE_MODELS, "small-cube"), settings::load_setup(TWIDDLE_MODELS, "paper").learner);
     for (int trial = 0; trial < 20; ++trial) {
         const TrialStart a = there->act(input);
         const TrialStart b = here->act(input);

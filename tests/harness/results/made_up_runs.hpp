@@ -1,7 +1,7 @@
 // made_up_runs.hpp: runs with chosen measures, to work claims out by hand.
 #pragma once
 
-#include "results/run_grid.hpp"
+#include "claims/run_grid.hpp"
 
 #include <vector>
 
@@ -9,11 +9,11 @@ namespace twiddle::test
 {
 
 // Runs of one cell with these final rotations, in rad.
-inline results::Runs runs_of(const std::vector<double> &rotation_rad)
+inline claims::Runs runs_of(const std::vector<double> &rotation_rad)
 {
-    results::Runs runs;
+    claims::Runs runs;
     for (const double value : rotation_rad) {
-        results::RunMeasures run;
+        claims::RunMeasures run;
         run.folder = "run-" + std::to_string(runs.size() + 1);
         run.final_rotation_rad = value;
         runs.push_back(run);

@@ -1,5 +1,5 @@
 #include "made_up_runs.hpp"
-#include "results/claims.hpp"
+#include "claims/claims.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "../scratch_folder.hpp"
-#include "results/claims_comparison.hpp"
+#include "claims/claims_comparison.hpp"
 
 #include <gtest/gtest.h>
 

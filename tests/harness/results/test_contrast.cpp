@@ -1,6 +1,6 @@
 #include "made_up_runs.hpp"
-#include "results/cell_measures.hpp"
-#include "results/contest.hpp"
+#include "claims/cell_measures.hpp"
+#include "claims/contest.hpp"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>

@@ -1,5 +1,5 @@
-#include "results/finger_use.hpp"
-#include "results/learning_course.hpp"
+#include "claims/finger_use.hpp"
+#include "claims/learning_course.hpp"
 
 #include <gtest/gtest.h>
 

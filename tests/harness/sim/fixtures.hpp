@@ -3,7 +3,7 @@
 
 #include "sim/articulated_hand.hpp"
 #include "sim/hand_model.hpp"
-#include "sim/setup.hpp"
+#include "settings/setup.hpp"
 
 #include <random>
 #include <string>

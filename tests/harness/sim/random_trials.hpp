@@ -22,7 +22,7 @@ namespace twiddle::experiment
 inline TrialRunner make_runner(sim::Stepper stepper, const std::string &object, int substeps,
                                sim::HandHold hold = sim::HandHold::welded)
 {
-    const sim::Setup setup = sim::default_setup({{"physics.substeps", std::to_string(substeps)}});
+    const settings::Setup setup = sim::default_setup({{"physics.substeps", std::to_string(substeps)}});
     return {stepper, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, object), setup, hold, find_model("cpg-c"),
             true};
 }

@@ -27,7 +27,7 @@ std::vector<double> trace(TrialRunner &runner, const Parameters &parameters)
     std::vector<double> numbers;
     const auto result = runner.run_observed(parameters, [&](const StepSample &sample, const sim::World &world) {
         const sim::Observation seen = world.observe();
-        for (std::size_t j = 0; j < sim::joint_count; j++) {
+        for (std::size_t j = 0; j < joint_count; j++) {
             numbers.insert(numbers.end(), {sample.desired_rad[j], sample.torque_nm[j], seen.angle_rad[j]});
         }
         numbers.insert(numbers.end(), {seen.object_rad, seen.index_contact_n, seen.thumb_contact_n});
@@ -47,7 +47,7 @@ class Determinism : public testing::TestWithParam<sim::Stepper>
 TEST_P(Determinism, a_trial_after_a_reset_equals_the_trial_in_a_fresh_world)
 {
     const sim::HandModel hand = sim::icub_hand();
-    const sim::Setup setup = sim::default_setup();
+    const settings::Setup setup = sim::default_setup();
     const twd_model &model = find_model("cpg-h");
     std::mt19937_64 random(20111);
     for (const std::string &name : sim::object_names(TWIDDLE_MODELS)) {

@@ -19,7 +19,7 @@ namespace
 {
 
 namespace id = btInverseDynamicsBullet3;
-using sim::JointVector;
+using JointVector;
 
 constexpr double deg = M_PI / 180;
 
@@ -69,7 +69,7 @@ TEST_P(GravityTorque, equals_bullets_inverse_dynamics)
 {
     const auto [name, finger, held_deg] = GetParam();
     const std::string held = std::to_string(held_deg);
-    const sim::Setup setup = sim::default_setup({{"hand.index_distal_deg", held}, {"hand.thumb_distal_deg", held}});
+    const settings::Setup setup = sim::default_setup({{"hand.index_distal_deg", held}, {"hand.thumb_distal_deg", held}});
     const twd_controller_config config = experiment::controller_config(setup, experiment::find_model("cpg-c"), true);
     const sim::HandModel model = sim::icub_hand();
     const auto &direction = setup.physics.gravity_direction;
@@ -115,7 +115,7 @@ class GravityHold : public testing::TestWithParam<std::tuple<sim::Stepper, const
 {
   protected:
     GravityHold()
-        : setup_(sim::load_setup(TWIDDLE_MODELS, std::get<1>(GetParam()), {{"object.hinge_x_m", "-0.2"}})),
+        : setup_(settings::load_setup(TWIDDLE_MODELS, std::get<1>(GetParam()), {{"object.hinge_x_m", "-0.2"}})),
           world_(sim::make_world(std::get<0>(GetParam()), sim::icub_hand(),
                                  sim::read_object(TWIDDLE_MODELS, "small-sphere"), setup_, sim::HandHold::welded))
     {
@@ -144,7 +144,7 @@ class GravityHold : public testing::TestWithParam<std::tuple<sim::Stepper, const
             for (double &torque : applied_nm)
                 torque *= share;
             world_->substep(applied_nm);
-            for (std::size_t j = 0; j < sim::joint_count; ++j)
+            for (std::size_t j = 0; j < joint_count; ++j)
                 drift = std::max(drift, std::abs(world_->angles_rad()[j] - start_rad[j]));
         }
         return drift;
@@ -157,8 +157,8 @@ class GravityHold : public testing::TestWithParam<std::tuple<sim::Stepper, const
     JointVector torque_nm(const JointVector &desired_rad, const JointVector &angle_rad,
                           const JointVector &velocity_rad_s)
     {
-        std::array<twd_num, sim::joint_count> desired{}, angle{}, torque{};
-        std::array<twd_rate, sim::joint_count> velocity{};
+        std::array<twd_num, joint_count> desired{}, angle{}, torque{};
+        std::array<twd_rate, joint_count> velocity{};
         std::transform(desired_rad.begin(), desired_rad.end(), desired.begin(), twd_num_from_double);
         std::transform(angle_rad.begin(), angle_rad.end(), angle.begin(), twd_num_from_double);
         std::transform(velocity_rad_s.begin(), velocity_rad_s.end(), velocity.begin(), twd_rate_from_double);
@@ -173,7 +173,7 @@ class GravityHold : public testing::TestWithParam<std::tuple<sim::Stepper, const
         return 100 * world_->substeps_per_step();
     }
 
-    sim::Setup setup_;
+    settings::Setup setup_;
     std::unique_ptr<sim::World> world_;
     twd_controller controller_{};
 };

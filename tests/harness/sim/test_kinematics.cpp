@@ -18,7 +18,7 @@ namespace
 
 using sim::ArticulatedHand;
 using sim::HandHold;
-using sim::JointVector;
+using JointVector;
 
 constexpr double deg = M_PI / 180;
 constexpr double tolerance_m = 1e-9; // of positions; of the rotations' elements as well
@@ -119,7 +119,7 @@ TEST(Kinematics, all_20_links_of_the_full_hand_stand_where_the_listed_frames_put
 // Expected: the same, with the distal joints at the 20 deg at which set-up mid-b holds them.
 TEST(Kinematics, links_of_the_welded_hand_stand_where_the_listed_frames_put_them)
 {
-    ArticulatedHand hand(sim::icub_hand(), sim::load_setup(TWIDDLE_MODELS, "mid-b").hand, HandHold::welded);
+    ArticulatedHand hand(sim::icub_hand(), settings::load_setup(TWIDDLE_MODELS, "mid-b").hand, HandHold::welded);
     const Posture held_rad = {
         {"index_2", 20 * deg}, {"index_3", 20 * deg}, {"thumb_2", 20 * deg}, {"thumb_3", 20 * deg}};
     EXPECT_LE(largest_error(hand, held_rad), tolerance_m);
@@ -147,9 +147,9 @@ TEST(Kinematics, welded_hand_has_two_fingers_and_4_degrees_of_freedom)
     for (const sim::ArticulatedLink &link : hand.links()) {
         if (link.moves) bullet_link_of[hand.model().links[link.model_link].joint] = link.body_link;
     }
-    EXPECT_EQ(bullet_link_of.size(), sim::joint_count);
-    for (std::size_t j = 0; j < sim::joint_count; ++j)
-        EXPECT_EQ(hand.controlled()[j], bullet_link_of.at(sim::joint_urdf_names[j])) << sim::joint_names[j];
+    EXPECT_EQ(bullet_link_of.size(), joint_count);
+    for (std::size_t j = 0; j < joint_count; ++j)
+        EXPECT_EQ(hand.controlled()[j], bullet_link_of.at(joint_urdf_names[j])) << joint_names[j];
 }
 
 // The paper's joint ranges, in the order of sim/joints.hpp.
@@ -165,7 +165,7 @@ double beyond_stops_rad(const sim::World &world)
 {
     const JointVector angle_rad = world.angles_rad();
     double furthest_rad = 0;
-    for (std::size_t j = 0; j < sim::joint_count; ++j) {
+    for (std::size_t j = 0; j < joint_count; ++j) {
         furthest_rad = std::max({furthest_rad, paper_lower_rad[j] - angle_rad[j], angle_rad[j] - paper_upper_rad[j]});
     }
     return furthest_rad;
@@ -189,7 +189,7 @@ TEST_P(Stops, a_joint_driven_hard_into_its_stop_stays_there)
 {
     sim::World &world = *world_;
     double furthest_rad = 0;
-    for (std::size_t driven = 0; driven < sim::joint_count; ++driven) {
+    for (std::size_t driven = 0; driven < joint_count; ++driven) {
         for (const double torque_nm : {1.0, -1.0}) {
             world.reset();
             JointVector drive_nm{};
@@ -200,7 +200,7 @@ TEST_P(Stops, a_joint_driven_hard_into_its_stop_stays_there)
             }
             const double stop_rad = torque_nm > 0 ? paper_upper_rad[driven] : paper_lower_rad[driven];
             EXPECT_NEAR(world.angles_rad()[driven], stop_rad, stop_tolerance_rad)
-                << sim::joint_names[driven] << " at " << torque_nm << " N m";
+                << joint_names[driven] << " at " << torque_nm << " N m";
             EXPECT_NEAR(world.velocities_rad_s()[driven], 0, rest_tolerance_rad_s);
             EXPECT_EQ(world.object_rotation_rad(), 0) << "a finger reached the object";
         }

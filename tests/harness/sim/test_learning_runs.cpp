@@ -17,7 +17,7 @@ namespace
 constexpr std::uint32_t trials = 1000;
 constexpr std::uint32_t window = 100;
 
-record::RunSpecification specification(std::uint64_t seed, const std::vector<sim::Override> &overrides)
+record::RunSpecification specification(std::uint64_t seed, const std::vector<settings::Override> &overrides)
 {
     record::RunSpecification run;
     run.object = "small-sphere";

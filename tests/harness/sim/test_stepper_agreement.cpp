@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Sim, stepper_agreement,
 // random trials, stops included.
 TEST(stepper_free_motion, is_the_same)
 {
-    const sim::Setup setup = sim::default_setup({{"object.hinge_x_m", "-0.2"}});
+    const settings::Setup setup = sim::default_setup({{"object.hinge_x_m", "-0.2"}});
     const auto angles = [&](sim::Stepper stepper) {
         TrialRunner runner(stepper, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, "small-sphere"), setup,
                            sim::HandHold::welded, find_model("cpg-c"), true);

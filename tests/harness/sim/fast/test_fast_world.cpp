@@ -64,7 +64,7 @@ TEST(fast_stepper_coverage, full_hand_is_refused_and_the_reference_takes_it)
 
 TEST(fast_stepper_coverage, contact_between_fingers_is_refused_and_the_reference_takes_it)
 {
-    const sim::Setup setup = default_setup({{"contact.index_thumb_contact", "true"}});
+    const settings::Setup setup = default_setup({{"contact.index_thumb_contact", "true"}});
     const std::string sentence = refusal(Stepper::fast, icub_hand(), setup, HandHold::welded);
     EXPECT_TRUE(names_the_reference(sentence, "index_thumb_contact")) << sentence;
     EXPECT_EQ(refusal(Stepper::reference, icub_hand(), setup, HandHold::welded), "");

@@ -4,7 +4,7 @@
 
 #include "sim/object.hpp"
 #include "sim/object_body.hpp"
-#include "sim/setup.hpp"
+#include "settings/setup.hpp"
 
 #include <ccd/ccd.h>
 #include <ccd/vec3.h>
