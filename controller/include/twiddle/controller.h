@@ -10,6 +10,7 @@
 #define TWIDDLE_CONTROLLER_H
 
 #include <twiddle/cpg.h>
+#include <twiddle/detail/controller_names.h>
 #include <twiddle/error.h>
 #include <twiddle/gate.h>
 #include <twiddle/gravity.h>
@@ -17,9 +18,7 @@
 #include <twiddle/model.h>
 #include <twiddle/pd.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* One driven joint. */
 struct twd_joint {
@@ -92,7 +91,6 @@ void twd_controller_tick(struct twd_controller *controller, twd_num *desired_ang
 void twd_controller_torque(struct twd_controller *controller, const twd_num *desired_angle_rad,
                            const twd_num *angle_rad, const twd_rate *velocity_rad_s, twd_num *torque_nm);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

@@ -5,13 +5,12 @@
 #ifndef TWIDDLE_GATE_H
 #define TWIDDLE_GATE_H
 
+#include <twiddle/detail/controller_names.h>
 #include <twiddle/number.h>
 
 #include <stddef.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* Selector activations y (each > 0) to weights s that sum to 1; both are [count]. */
 void twd_gate_normalise(const twd_num *activation, size_t count, twd_num *weight);
@@ -19,7 +18,6 @@ void twd_gate_normalise(const twd_num *activation, size_t count, twd_num *weight
 /* A fraction of a joint's range, saturated to [0, 1], as an angle in [lower_rad, upper_rad]. */
 twd_num twd_gate_remap(twd_num fraction, twd_num lower_rad, twd_num upper_rad);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif
