@@ -1,7 +1,7 @@
 /* controller.h: the whole controller, from a parameter vector to joint torques, at two rates.
  *
  *     at a trial's start   twd_controller_start    parameters in (0, 1) -> physical CPG parameters
- *     every tick (10 ms)   twd_controller_tick     CPGs -> gate -> remap -> desired angles
+ *     every tick (10 ms)   twd_controller_tick     CPGs -> gate -> joint ranges -> desired angles
  *     every substep        twd_controller_torque   gravity + PD -> torques
  *
  * The tick and the torque call cannot fail, allocate or block; both may be called from an interrupt, and torque may
@@ -14,6 +14,7 @@
 #include <twiddle/error.h>
 #include <twiddle/gate.h>
 #include <twiddle/gravity.h>
+#include <twiddle/joint_range.h>
 #include <twiddle/limits.h>
 #include <twiddle/model.h>
 #include <twiddle/pd.h>
@@ -22,8 +23,7 @@ TWD_BEGIN_DECLARATIONS
 
 /* One driven joint. */
 struct twd_joint {
-    twd_num lower_rad; /* the angle of output 0 */
-    twd_num upper_rad; /* the angle of output 1; > lower_rad, both in [-pi, pi] */
+    struct twd_joint_range range;
     struct twd_pd pd;
 };
 

@@ -8,7 +8,6 @@
 
 #include <twiddle/controller.h>
 #include <twiddle/detail/controller_names.h>
-#include <twiddle/joint_range.h>
 
 TWD_BEGIN_DECLARATIONS
 

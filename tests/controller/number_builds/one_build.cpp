@@ -29,8 +29,8 @@ class Hand
         config.ranges.centre_upper = TWD_NUM(1);
         config.joints = joints;
         for (int j = 0; j < joints; ++j) {
-            config.joint[j].lower_rad = TWD_NUM(-0.5);
-            config.joint[j].upper_rad = TWD_NUM(1);
+            config.joint[j].range.lower_rad = TWD_NUM(-0.5);
+            config.joint[j].range.upper_rad = TWD_NUM(1);
             config.joint[j].pd.stiffness_nm_per_rad = TWD_NUM(0.5);
             config.joint[j].pd.torque_limit_nm = TWD_NUM(1);
         }

@@ -36,7 +36,6 @@
 
 /* gate.h */
 #define twd_gate_normalise TWD_BUILD_NAME(twd_gate_normalise)
-#define twd_gate_remap TWD_BUILD_NAME(twd_gate_remap)
 
 /* gravity.h */
 #define twd_gravity_init TWD_BUILD_NAME(twd_gravity_init)
@@ -46,6 +45,9 @@
 #define twd_icub_joint_range TWD_BUILD_NAME(twd_icub_joint_range)
 #define twd_icub_index TWD_BUILD_NAME(twd_icub_index)
 #define twd_icub_thumb TWD_BUILD_NAME(twd_icub_thumb)
+
+/* joint_range.h */
+#define twd_joint_range_angle TWD_BUILD_NAME(twd_joint_range_angle)
 
 /* model.h */
 #define twd_model_c TWD_BUILD_NAME(twd_model_c)
