@@ -1,5 +1,5 @@
 # One C library has one number type, so each is built once a type: twiddle_controller (float, the default),
-# twiddle_controller_double, and so on. The type is a public compile definition of the target.
+# twiddle_controller_double, and so on. The type is a public compile definition of the target, and ends its symbols.
 
 # twiddle_number_suffix(VARIABLE NUMBER): "" for float, "_NUMBER" otherwise.
 function(twiddle_number_suffix variable number)

@@ -96,8 +96,9 @@ enum twd_error twd_check_pd(const struct twd_pd *pd)
 static enum twd_error check_joint(const struct twd_joint *joint)
 {
     const twd_num half_turn_rad = TWD_NUM_CONSTANT(3.14159265358979324, 843314857);
-    if (!(joint->lower_rad >= -half_turn_rad) || !(joint->upper_rad <= half_turn_rad)) return TWD_ERROR_RANGE;
-    if (!(joint->lower_rad < joint->upper_rad)) return TWD_ERROR_RANGE;
+    if (!(joint->range.lower_rad >= -half_turn_rad) || !(joint->range.upper_rad <= half_turn_rad))
+        return TWD_ERROR_RANGE;
+    if (!(joint->range.lower_rad < joint->range.upper_rad)) return TWD_ERROR_RANGE;
     return twd_check_pd(&joint->pd);
 }
 

@@ -6,6 +6,10 @@
 #include <twiddle/cpg.h>
 #include <twiddle/error.h>
 
+#define twd_check_cpgs TWD_BUILD_NAME(twd_check_cpgs)
+#define twd_check_pd TWD_BUILD_NAME(twd_check_pd)
+#define twd_check_config TWD_BUILD_NAME(twd_check_config)
+
 /* Whether a CPG can be made of `topology`, [networks], and `config`. */
 enum twd_error twd_check_cpgs(const struct twd_topology *const *topology, size_t networks,
                               const struct twd_cpg_config *config);

@@ -80,7 +80,7 @@ void twd_controller_tick(struct twd_controller *controller, twd_num *desired_ang
     }
     for (uint8_t j = 0; j < config->joints; j++) {
         const twd_num fraction = config->saturation == TWD_SATURATE_SUM ? saturate(controller, sum[j]) : sum[j];
-        desired_angle_rad[j] = twd_gate_remap(fraction, config->joint[j].lower_rad, config->joint[j].upper_rad);
+        desired_angle_rad[j] = twd_joint_range_angle(&config->joint[j].range, fraction);
     }
 }
 

@@ -3,8 +3,7 @@
 static enum twd_error make_joint(const struct twd_setup *setup, size_t index, struct twd_joint *joint)
 {
     const struct twd_joint_setup *const from = &setup->joint[index];
-    joint->lower_rad = setup->range[index].lower_rad;
-    joint->upper_rad = setup->range[index].upper_rad;
+    joint->range = setup->range[index];
     joint->pd = from->pd;
     if (from->inertia_kg_m2 == TWD_SMALL(0)) return TWD_OK;
     return twd_pd_stable(&from->pd, from->inertia_kg_m2, setup->torque_period_s, &joint->pd);

@@ -7,12 +7,11 @@
 #ifndef TWIDDLE_AGENT_AGENT_SERVER_H
 #define TWIDDLE_AGENT_AGENT_SERVER_H
 
+#include "agent/agent_names.h"
 #include "agent/frame.h"
 #include "agent/transfer.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* How far things have come; each decides which requests are in order. */
 enum twd_agent_phase {
@@ -55,7 +54,6 @@ void twd_agent_server_answer(struct twd_agent_server *server);
 /* Answer the requests that come over `link` until it ends. */
 void twd_agent_server_run(struct twd_agent_server *server, const struct twd_byte_link *link);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

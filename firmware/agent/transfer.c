@@ -158,8 +158,8 @@ void twd_transfer_controller(struct twd_transfer *transfer, struct twd_controlle
 void twd_transfer_joint(struct twd_transfer *transfer, uint8_t *index, struct twd_joint *joint)
 {
     byte(transfer, index);
-    number(transfer, &joint->lower_rad);
-    number(transfer, &joint->upper_rad);
+    number(transfer, &joint->range.lower_rad);
+    number(transfer, &joint->range.upper_rad);
     number(transfer, &joint->pd.stiffness_nm_per_rad);
     number(transfer, &joint->pd.damping_nms_per_rad);
     number(transfer, &joint->pd.torque_limit_nm);

@@ -4,6 +4,7 @@
 #ifndef TWIDDLE_AGENT_TRANSFER_H
 #define TWIDDLE_AGENT_TRANSFER_H
 
+#include "agent/agent_names.h"
 #include "agent/frame.h"
 #include "agent/messages.h"
 
@@ -12,9 +13,7 @@
 
 #include <stdbool.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* The format of this build's numbers. */
 #if defined(TWD_NUMBER_FIXED)
@@ -87,7 +86,6 @@ struct twd_agent_state {
 };
 void twd_transfer_state(struct twd_transfer *transfer, struct twd_agent_state *state);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

@@ -12,6 +12,9 @@ import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1] / "scripts"))
+from symbol_names import source_name
+
 SECONDS = 300  # after which an image is taken to hang
 
 
@@ -91,7 +94,7 @@ def read_costs(path):
     with open(path, newline="") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             if row["part"]:
-                costs[row["function"]].parts[row["part"]] = int(row["total"])
+                costs[row["function"]].parts[source_name(row["part"])] = int(row["total"])
             else:
                 costs[row["function"]] = Cost(*(int(row[name]) for name in ("calls", "total", "least", "most")))
     return costs
@@ -106,7 +109,7 @@ def functions_at(image, addresses):
         address, *lines = block.splitlines()
         frames = list(zip(lines[::2], lines[1::2]))
         inner = [function for function, place in frames if not re.search(r"/number\.h:", place)]
-        functions[address] = (inner or [frames[-1][0]])[0]
+        functions[address] = source_name((inner or [frames[-1][0]])[0])
     return functions
 
 

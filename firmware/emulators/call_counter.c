@@ -1,6 +1,7 @@
 #include "call_counter.h"
 
 #include <inttypes.h>
+#include <string.h>
 
 bool call_counter_make(struct call_counter *counter, const char *image, char *error, size_t error_size)
 {
@@ -20,6 +21,7 @@ bool call_counter_add(struct call_counter *counter, const char *function, char *
     }
     struct counted_call *const call = &counter->call[counter->counted++];
     call->function = symbol;
+    call->name_length = (int)strlen(function);
     call->least = UINT64_MAX;
     return true;
 }
@@ -72,7 +74,7 @@ void call_counter_instruction(struct call_counter *counter, uint32_t address, ui
 
 static void write_part(const struct counted_call *call, const char *part, uint64_t cost, FILE *file)
 {
-    if (cost > 0) fprintf(file, "%s,%s,,%" PRIu64 ",,\n", call->function->name, part, cost);
+    if (cost > 0) fprintf(file, "%.*s,%s,,%" PRIu64 ",,\n", call->name_length, call->function->name, part, cost);
 }
 
 static void write_addresses(const struct counted_call *call, uint32_t first_address, FILE *file)
@@ -115,8 +117,8 @@ void call_counter_write(const struct call_counter *counter, const char *unit, en
     fprintf(file, "function,part,calls,total,least,most\n");
     for (size_t i = 0; i < counter->counted; i++) {
         const struct counted_call *const call = &counter->call[i];
-        fprintf(file, "%s,,%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 "\n", call->function->name, call->calls,
-                call->cost, call->calls > 0 ? call->least : 0, call->most);
+        fprintf(file, "%.*s,,%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 "\n", call->name_length,
+                call->function->name, call->calls, call->cost, call->calls > 0 ? call->least : 0, call->most);
         if (parts == PARTS_BY_ADDRESS)
             write_addresses(call, counter->symbols.function[0].address, file);
         else

@@ -21,6 +21,7 @@
 /* A counted function. */
 struct counted_call {
     const struct function_symbol *function;
+    int name_length;         /* of what was asked for, which the function's name begins with */
     bool inside;             /* a call has begun and not ended */
     uint32_t return_address; /* where the call ends */
     uint64_t begin;          /* the total cost when it began */
@@ -47,7 +48,7 @@ struct call_counter {
  * sentence in `error`. */
 bool call_counter_make(struct call_counter *counter, const char *image, char *error, size_t error_size);
 
-/* Count calls of `function`, too. On failure, false and a sentence in `error`. */
+/* Count calls of `function`, too: a name that symbols_by_name finds. On failure, false and a sentence in `error`. */
 bool call_counter_add(struct call_counter *counter, const char *function, char *error, size_t error_size);
 
 /* The instruction at `address`, of `size` bytes, is about to be executed; everything before it cost `total`. */

@@ -75,11 +75,29 @@ bool symbols_read(struct symbol_table *table, const char *path, char *error, siz
     return false;
 }
 
+/* Whether a build makes `symbol` of the source's `name`: it appends the number type, perhaps with more behind it. */
+static bool is_build_of(const char *symbol, const char *name)
+{
+    static const char *const number[] = {"_float", "_double", "_fixed"};
+    const size_t length = strlen(name);
+    if (strncmp(symbol, name, length) != 0) return false;
+    for (size_t i = 0; i < sizeof number / sizeof number[0]; i++) {
+        const size_t type_length = strlen(number[i]);
+        if (strncmp(symbol + length, number[i], type_length) != 0) continue;
+        const char after = symbol[length + type_length];
+        if (after == '\0' || after == '_') return true;
+    }
+    return false;
+}
+
 const struct function_symbol *symbols_by_name(const struct symbol_table *table, const char *name)
 {
-    for (size_t i = 0; i < table->count; i++)
+    const struct function_symbol *of_a_build = NULL;
+    for (size_t i = 0; i < table->count; i++) {
         if (strcmp(table->function[i].name, name) == 0) return &table->function[i];
-    return NULL;
+        if (is_build_of(table->function[i].name, name)) of_a_build = &table->function[i];
+    }
+    return of_a_build;
 }
 
 const struct function_symbol *symbols_by_address(const struct symbol_table *table, uint32_t address)

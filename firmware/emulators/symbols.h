@@ -26,7 +26,8 @@ struct symbol_table {
 /* Read the functions of the ELF file `path`. On failure, false and a sentence in `error`, [error_size]. */
 bool symbols_read(struct symbol_table *table, const char *path, char *error, size_t error_size);
 
-/* The function called `name`, or NULL. */
+/* The function called `name`, or NULL. A function of the C libraries may go by its name in the source, without what its
+ * build appends (twiddle/detail/build.h). */
 const struct function_symbol *symbols_by_name(const struct symbol_table *table, const char *name);
 
 /* The function that holds the instruction at `address`, or NULL. */

@@ -12,7 +12,7 @@
 enum { TRIALS = 3, TICKS = 300, SUBSTEPS = 5, JOINTS = TWD_ICUB_JOINTS };
 
 /* Large, so not on the stack. */
-static struct twd_learner agent;
+static struct twd_learner learner;
 static struct twd_controller controller;
 
 /* Let `torque_nm` act for one substep of 2 ms. Returns how far the index flexed or stretched, rad. */
@@ -51,7 +51,7 @@ static enum twd_error set_up(void)
     enum twd_error error = icub_controller_config(&controller_config);
     if (error == TWD_OK) error = twd_controller_init(&controller, &controller_config);
     const struct twd_learner_config learner_config = icub_learner_config(TRIALS, 1);
-    if (error == TWD_OK) error = twd_learner_init(&agent, &learner_config);
+    if (error == TWD_OK) error = twd_learner_init(&learner, &learner_config);
     return error;
 }
 
@@ -61,10 +61,10 @@ static enum twd_error train(void)
     icub_small_sphere(input);
     for (int trial = 0; trial < TRIALS; trial++) {
         twd_num parameter[ICUB_PARAMETERS];
-        twd_learner_act(&agent, input, parameter);
+        twd_learner_act(&learner, input, parameter);
         const enum twd_error error = twd_controller_start(&controller, parameter, ICUB_PARAMETERS);
         if (error != TWD_OK) return error;
-        (void)twd_learner_learn(&agent, run_trial());
+        (void)twd_learner_learn(&learner, run_trial());
     }
     return TWD_OK;
 }

@@ -67,8 +67,8 @@ static void take_cpg(uint32_t *sum, const struct twd_cpg *cpg)
 
 static void take_joint(uint32_t *sum, const struct twd_joint *joint)
 {
-    take_number(sum, joint->lower_rad);
-    take_number(sum, joint->upper_rad);
+    take_number(sum, joint->range.lower_rad);
+    take_number(sum, joint->range.upper_rad);
     take_number(sum, joint->pd.stiffness_nm_per_rad);
     take_number(sum, joint->pd.damping_nms_per_rad);
     take_number(sum, joint->pd.torque_limit_nm);

@@ -56,8 +56,7 @@ static void set_joints(void)
     static const struct twd_pd stiff = {TWD_NUM(0.3125), TWD_NUM(0.0078125), TWD_NUM(0.5)};
     config.joints = JOINTS;
     for (size_t j = 0; j < JOINTS; j++) {
-        config.joint[j].lower_rad = twd_icub_joint_range[j].lower_rad;
-        config.joint[j].upper_rad = twd_icub_joint_range[j].upper_rad;
+        config.joint[j].range = twd_icub_joint_range[j];
         require(twd_pd_stable(&stiff, TWD_SMALL(0.0001220703125), TWD_SMALL(0.001953125), &config.joint[j].pd));
     }
 }

@@ -15,6 +15,7 @@ import sys
 
 from disassembly import Code
 from instructions import BRANCH, CALL, CALL_BY_POINTER, JUMP, JUMP_BY_POINTER, RETURN, SKIP, TABLE_JUMP
+from symbol_names import source_name
 
 # AVR's switches jump to this function, which jumps by the table back into them.
 TABLE_HELPER = re.compile(r"__tablejump2?__$")
@@ -56,6 +57,8 @@ class StackUsage:
         self.code = Code(objdump, image)
         self.base = self.code.instruction_set.return_address
         self.addresses = {name: address for address, symbols in self.code.symbols.items() for _, name in symbols}
+        for name, address in list(self.addresses.items()):
+            self.addresses.setdefault(source_name(name), address)
         self.frames = self.frames_by_address(read_frames(folders))
         self.worst = {}  # address -> (bytes, names along the worst path)
 
@@ -71,7 +74,7 @@ class StackUsage:
         return known
 
     def of(self, function):
-        """(bytes, names along the worst path) of a function by its name; raises Unbounded."""
+        """(bytes, names along the worst path) of a function by its symbol or source name; raises Unbounded."""
         if function not in self.addresses:
             raise ValueError(f"the image has no function {function}")
         return self.from_address(self.addresses[function], ())

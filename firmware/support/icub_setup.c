@@ -42,8 +42,7 @@ enum twd_error icub_controller_config(struct twd_controller_config *config)
         .fingers = 2,
     };
     for (size_t i = 0; i < TWD_ICUB_JOINTS; i++) {
-        config->joint[i].lower_rad = twd_icub_joint_range[i].lower_rad;
-        config->joint[i].upper_rad = twd_icub_joint_range[i].upper_rad;
+        config->joint[i].range = twd_icub_joint_range[i];
         config->joint[i].pd = joint_pd[i];
     }
     const enum twd_error error =

@@ -39,8 +39,7 @@ twd_joint joint(std::size_t index, const settings::Setup &setup)
 {
     const settings::HandSetup &hand = setup.hand;
     twd_joint joint{};
-    joint.lower_rad = twd_icub_joint_range[index].lower_rad;
-    joint.upper_rad = twd_icub_joint_range[index].upper_rad;
+    joint.range = twd_icub_joint_range[index];
     joint.pd.stiffness_nm_per_rad = num(hand.stiffness_nm_per_rad[index]);
     joint.pd.damping_nms_per_rad = num(hand.damping_nms_per_rad[index]);
     joint.pd.torque_limit_nm = num(hand.torque_limit_nm);

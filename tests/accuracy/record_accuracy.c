@@ -73,8 +73,7 @@ static struct twd_controller_config draw_config(bool with_centre, double tick_s)
     config.ranges.centre_upper = TWD_NUM(1);
     config.joints = ACCURACY_JOINTS;
     for (size_t j = 0; j < ACCURACY_JOINTS; j++) {
-        config.joint[j].lower_rad = twd_icub_joint_range[j].lower_rad;
-        config.joint[j].upper_rad = twd_icub_joint_range[j].upper_rad;
+        config.joint[j].range = twd_icub_joint_range[j];
         config.joint[j].pd = (struct twd_pd){TWD_NUM(0.3125), TWD_NUM(0.0078125), TWD_NUM(1)};
     }
     config.fingers = 2;

@@ -29,8 +29,8 @@ static inline struct twd_controller_config config_of(const struct twd_model *mod
     config.ranges.centre_upper = TWD_NUM(1);
     config.joints = 4;
     for (int j = 0; j < 4; j++) {
-        config.joint[j].lower_rad = twd_num_from_double(lower_rad[j]);
-        config.joint[j].upper_rad = twd_num_from_double(upper_rad[j]);
+        config.joint[j].range.lower_rad = twd_num_from_double(lower_rad[j]);
+        config.joint[j].range.upper_rad = twd_num_from_double(upper_rad[j]);
         config.joint[j].pd = (struct twd_pd){TWD_NUM(0.2), TWD_NUM(0.01), TWD_NUM(1)};
     }
     return config;

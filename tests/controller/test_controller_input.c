@@ -150,8 +150,8 @@ static void init_rejects_numbers_out_of_range(void **state)
     REFUSED(ranges.amplitude_upper, TWD_NUM(0.6), TWD_ERROR_RANGE);
     REFUSED(ranges.centre_lower, TWD_NUM(-0.1), TWD_ERROR_RANGE);
     REFUSED(ranges.centre_upper, TWD_NUM(1.1), TWD_ERROR_RANGE);
-    REFUSED(joint[1].lower_rad, TWD_NUM(-3.2), TWD_ERROR_RANGE);
-    REFUSED(joint[1].upper_rad, TWD_NUM(-0.25), TWD_ERROR_RANGE);
+    REFUSED(joint[1].range.lower_rad, TWD_NUM(-3.2), TWD_ERROR_RANGE);
+    REFUSED(joint[1].range.upper_rad, TWD_NUM(-0.25), TWD_ERROR_RANGE);
     REFUSED(joint[3].pd.stiffness_nm_per_rad, TWD_NUM(0), TWD_ERROR_RANGE);
     REFUSED(joint[3].pd.damping_nms_per_rad, TWD_NUM(-0.1), TWD_ERROR_RANGE);
     REFUSED(joint[3].pd.torque_limit_nm, TWD_NUM(0), TWD_ERROR_RANGE);
@@ -177,8 +177,8 @@ static void init_rejects_what_is_no_number(void **state)
         REFUSED(ranges.amplitude_upper, num, TWD_ERROR_RANGE);
         REFUSED(ranges.centre_lower, num, TWD_ERROR_RANGE);
         REFUSED(ranges.centre_upper, num, TWD_ERROR_RANGE);
-        REFUSED(joint[2].lower_rad, num, TWD_ERROR_RANGE);
-        REFUSED(joint[2].upper_rad, num, TWD_ERROR_RANGE);
+        REFUSED(joint[2].range.lower_rad, num, TWD_ERROR_RANGE);
+        REFUSED(joint[2].range.upper_rad, num, TWD_ERROR_RANGE);
         REFUSED(joint[2].pd.stiffness_nm_per_rad, num, TWD_ERROR_RANGE);
         REFUSED(joint[2].pd.damping_nms_per_rad, num, TWD_ERROR_RANGE);
         REFUSED(joint[2].pd.torque_limit_nm, num, TWD_ERROR_RANGE);

@@ -50,42 +50,12 @@ static void weights_sum_to_one(void **state)
     }
 }
 
-/* Fractions 0, 1/4, 1 of [-0.2, 0.6] are -0.2, 0, 0.6; beyond [0, 1], and for what is no number, an end of the
- * range. */
-static void remap_spans_the_range(void **state)
-{
-    (void)state;
-    const twd_num lower = TWD_NUM(-0.2);
-    const twd_num upper = TWD_NUM(0.6);
-    assert_true(twd_gate_remap(TWD_NUM(0), lower, upper) == lower);
-    assert_num_close(twd_gate_remap(TWD_NUM(0.25), lower, upper), 0.0, ROUNDING);
-    assert_num_close(twd_gate_remap(TWD_NUM(1), lower, upper), 0.6, ROUNDING);
-    assert_true(twd_gate_remap(TWD_NUM(-0.3), lower, upper) == lower);
-    assert_true(twd_gate_remap(TWD_NUM(1.3), lower, upper) == twd_gate_remap(TWD_NUM(1), lower, upper));
-    assert_true(twd_gate_remap(twd_num_from_double((double)NAN), lower, upper) == lower);
-}
-
-/* 1000 random ranges: the angle of fraction 1 is not beyond the upper end by a rounding. */
-static void remap_never_leaves_the_range(void **state)
-{
-    (void)state;
-    uint64_t random = 6;
-    print_message("seed 6\n");
-    for (int32_t repeat = CASES(1000); repeat > 0; repeat--) {
-        const twd_num lower = twd_num_from_double(uniform(&random, -3.0, 0.0));
-        const twd_num upper = twd_num_from_double(uniform(&random, 0.0, 3.0));
-        assert_true(twd_within(twd_gate_remap(TWD_NUM(1), lower, upper), lower, upper));
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(weights_are_shares_of_the_sum),
         cmocka_unit_test(silent_selector_weighs_equally),
         cmocka_unit_test(weights_sum_to_one),
-        cmocka_unit_test(remap_spans_the_range),
-        cmocka_unit_test(remap_never_leaves_the_range),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -93,8 +93,8 @@ static void setup_becomes_the_configuration_by_hand(void **state)
     assert_int_equal(config.joints, TWD_ICUB_JOINTS);
     assert_int_equal(twd_pd_stable(&stable, INERTIA_KG_M2, PERIOD_S, &stable), TWD_OK);
     for (int j = 0; j < TWD_ICUB_JOINTS; j++) {
-        assert_true(config.joint[j].lower_rad == twd_icub_joint_range[j].lower_rad);
-        assert_true(config.joint[j].upper_rad == twd_icub_joint_range[j].upper_rad);
+        assert_true(config.joint[j].range.lower_rad == twd_icub_joint_range[j].lower_rad);
+        assert_true(config.joint[j].range.upper_rad == twd_icub_joint_range[j].upper_rad);
         assert_same_bytes(&config.joint[j].pd, j == 1 ? &stable : &joints[j].pd, sizeof stable);
     }
 

@@ -57,8 +57,8 @@ TEST(IcubSetup, controller_is_the_papers)
     expect_close(ours.ranges.centre_upper, theirs.ranges.centre_upper, "upper centre");
     ASSERT_EQ(ours.joints, theirs.joints);
     for (int i = 0; i < ours.joints; ++i) {
-        expect_close(ours.joint[i].lower_rad, theirs.joint[i].lower_rad, "lower angle");
-        expect_close(ours.joint[i].upper_rad, theirs.joint[i].upper_rad, "upper angle");
+        expect_close(ours.joint[i].range.lower_rad, theirs.joint[i].range.lower_rad, "lower angle");
+        expect_close(ours.joint[i].range.upper_rad, theirs.joint[i].range.upper_rad, "upper angle");
         expect_close(ours.joint[i].pd.stiffness_nm_per_rad, theirs.joint[i].pd.stiffness_nm_per_rad, "stiffness");
         expect_close(ours.joint[i].pd.damping_nms_per_rad, theirs.joint[i].pd.damping_nms_per_rad, "damping");
         expect_close(ours.joint[i].pd.torque_limit_nm, theirs.joint[i].pd.torque_limit_nm, "torque limit");

@@ -1,7 +1,7 @@
 /* controller.h: the whole controller, from a parameter vector to joint torques, at two rates.
  *
  *     at a trial's start   twd_controller_start    parameters in (0, 1) -> physical CPG parameters
- *     every tick (10 ms)   twd_controller_tick     CPGs -> gate -> remap -> desired angles
+ *     every tick (10 ms)   twd_controller_tick     CPGs -> gate -> joint ranges -> desired angles
  *     every substep        twd_controller_torque   gravity + PD -> torques
  *
  * The tick and the torque call cannot fail, allocate or block; both may be called from an interrupt, and torque may
@@ -10,21 +10,20 @@
 #define TWIDDLE_CONTROLLER_H
 
 #include <twiddle/cpg.h>
+#include <twiddle/detail/controller_names.h>
 #include <twiddle/error.h>
 #include <twiddle/gate.h>
 #include <twiddle/gravity.h>
+#include <twiddle/joint_range.h>
 #include <twiddle/limits.h>
 #include <twiddle/model.h>
 #include <twiddle/pd.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* One driven joint. */
 struct twd_joint {
-    twd_num lower_rad; /* the angle of output 0 */
-    twd_num upper_rad; /* the angle of output 1; > lower_rad, both in [-pi, pi] */
+    struct twd_joint_range range;
     struct twd_pd pd;
 };
 
@@ -92,7 +91,6 @@ void twd_controller_tick(struct twd_controller *controller, twd_num *desired_ang
 void twd_controller_torque(struct twd_controller *controller, const twd_num *desired_angle_rad,
                            const twd_num *angle_rad, const twd_rate *velocity_rad_s, twd_num *torque_nm);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

@@ -7,6 +7,8 @@
 
 #include <twiddle/number.h>
 
+TWD_BEGIN_DECLARATIONS
+
 #if defined(TWD_NUMBER_FIXED)
 
 #define TWD_NO_NUMBER_WORD INT32_MIN
@@ -105,5 +107,7 @@ static inline double twd_small_to_double(twd_small value)
 }
 
 #endif
+
+TWD_END_DECLARATIONS
 
 #endif

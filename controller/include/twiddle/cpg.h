@@ -7,15 +7,14 @@
 #ifndef TWIDDLE_CPG_H
 #define TWIDDLE_CPG_H
 
+#include <twiddle/detail/controller_names.h>
 #include <twiddle/error.h>
 #include <twiddle/limits.h>
 #include <twiddle/oscillator.h>
 
 #include <stddef.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* One coupling. Its parameter phi is phi_ij of `first` i and `second` j: with phi_ji = -phi_ij, the phase by which `second`
  * leads `first` when the network has settled. */
@@ -123,7 +122,6 @@ void twd_cpg_tick(struct twd_cpg *cpg);
 /* Output of oscillator `index`, of the joint's range (not saturated). */
 twd_num twd_cpg_output(const struct twd_cpg *cpg, uint8_t index);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

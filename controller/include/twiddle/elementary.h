@@ -5,11 +5,10 @@
 #ifndef TWIDDLE_ELEMENTARY_H
 #define TWIDDLE_ELEMENTARY_H
 
+#include <twiddle/detail/controller_names.h>
 #include <twiddle/number.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* exp(-value) for value >= 0; a negative value counts as 0, one above 32 as 32 (1.3e-14). Relative error at most
  * 1e-11 (double), 1e-6 (float); error at most 2e-7 (fixed). */
@@ -21,7 +20,6 @@ twd_num twd_exp_negative_of_num(twd_num value);
 /* The logistic function 1 / (1 + exp(-value)), any value. Error at most 1e-11 (double), 2e-7 (float, fixed). */
 twd_num twd_sigmoid(twd_wide value);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

@@ -2,9 +2,9 @@
 #ifndef TWIDDLE_ERROR_H
 #define TWIDDLE_ERROR_H
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+#include <twiddle/detail/controller_names.h>
+
+TWD_BEGIN_DECLARATIONS
 
 /* Zero is success, every error is negative. A function that fails leaves its object as it was. */
 enum twd_error {
@@ -27,7 +27,6 @@ enum twd_error {
 /* One plain sentence for `error`, in flash; never a null pointer. */
 const char *twd_error_text(enum twd_error error);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

@@ -11,6 +11,7 @@
 #ifndef TWIDDLE_FILTER_H
 #define TWIDDLE_FILTER_H
 
+#include <twiddle/detail/controller_names.h>
 #include <twiddle/number.h>
 
 #if defined(TWD_NUMBER_FIXED)
@@ -19,15 +20,12 @@
 #include <twiddle/float/filter.h>
 #endif
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* The constants for rate `rate_per_s` (a, in 1/s) and tick `tick_s`; both positive, their product at most
  * TWD_LARGEST_RATE_TIMES_TICK: 32, and 1.375 in the fixed build. */
 struct twd_filter_step twd_filter_step_make(twd_rate rate_per_s, twd_small tick_s);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

@@ -5,13 +5,12 @@
 #ifndef TWIDDLE_GRAVITY_H
 #define TWIDDLE_GRAVITY_H
 
+#include <twiddle/detail/controller_names.h>
 #include <twiddle/error.h>
 #include <twiddle/limits.h>
 #include <twiddle/number.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* One joint and the link that it carries. */
 struct twd_chain_joint {
@@ -54,7 +53,6 @@ enum twd_error twd_gravity_init(struct twd_gravity *gravity, const struct twd_ch
  * pi]). */
 void twd_gravity_torque(const struct twd_gravity *gravity, const twd_num *angle_rad, twd_num *torque_nm);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

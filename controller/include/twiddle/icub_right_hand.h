@@ -5,12 +5,11 @@
 #ifndef TWIDDLE_ICUB_RIGHT_HAND_H
 #define TWIDDLE_ICUB_RIGHT_HAND_H
 
+#include <twiddle/detail/controller_names.h>
 #include <twiddle/gravity.h>
 #include <twiddle/joint_range.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* The four controlled joints, in the order of every joint array of this project. */
 enum twd_icub_joint {
@@ -27,7 +26,6 @@ extern const struct twd_joint_range twd_icub_joint_range[TWD_ICUB_JOINTS];
 extern const struct twd_chain twd_icub_index;
 extern const struct twd_chain twd_icub_thumb;
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

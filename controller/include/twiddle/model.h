@@ -7,14 +7,13 @@
 #define TWIDDLE_MODEL_H
 
 #include <twiddle/cpg.h>
+#include <twiddle/detail/controller_names.h>
 #include <twiddle/error.h>
 #include <twiddle/limits.h>
 
 #include <stddef.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* A model: const, in flash. */
 struct twd_model {
@@ -53,7 +52,6 @@ enum twd_error twd_model_decode(const struct twd_model *model, bool with_centre,
                                 const struct twd_parameter_ranges *ranges, const twd_num *parameter, size_t count,
                                 struct twd_model_drive *drive);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

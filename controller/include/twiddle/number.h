@@ -20,11 +20,17 @@
 #ifndef TWIDDLE_NUMBER_H
 #define TWIDDLE_NUMBER_H
 
+#include <twiddle/detail/build.h>
+
 #include <stdbool.h>
 #include <stdint.h>
 
+TWD_BEGIN_DECLARATIONS
+
 /* An angle on the circle: 2^32 is one turn, and overflow is the wrap-around. */
 typedef uint32_t twd_phase;
+
+TWD_END_DECLARATIONS
 
 #if defined(TWD_NUMBER_FIXED)
 #include <twiddle/fixed/number.h>

@@ -9,6 +9,8 @@
 #include <twiddle/number.h>
 #include <twiddle/phase.h>
 
+TWD_BEGIN_DECLARATIONS
+
 /* The state of one oscillator, and its targets: R and C of one trial. */
 struct twd_oscillator {
     twd_phase phase;             /* theta, turns, 2^32 = one; wraps by itself */
@@ -32,5 +34,7 @@ static inline twd_num twd_oscillator_output_without_centre(twd_num amplitude, tw
 {
     return twd_mul_short(amplitude, TWD_NUM(1) + twd_cos(phase));
 }
+
+TWD_END_DECLARATIONS
 
 #endif

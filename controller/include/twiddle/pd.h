@@ -5,12 +5,11 @@
 #ifndef TWIDDLE_PD_H
 #define TWIDDLE_PD_H
 
+#include <twiddle/detail/controller_names.h>
 #include <twiddle/error.h>
 #include <twiddle/number.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* Gains and limit of one joint. */
 struct twd_pd {
@@ -47,7 +46,6 @@ static inline twd_num twd_pd_torque(const struct twd_pd *pd, twd_num desired_rad
 enum twd_error twd_pd_stable(const struct twd_pd *pd, twd_small inertia_kg_m2, twd_small period_s,
                              struct twd_pd *stable);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

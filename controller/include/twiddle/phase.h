@@ -15,6 +15,7 @@
 #ifndef TWIDDLE_PHASE_H
 #define TWIDDLE_PHASE_H
 
+#include <twiddle/detail/controller_names.h>
 #include <twiddle/number.h>
 
 #define TWD_EIGHTH_TURN UINT32_C(0x20000000)

@@ -7,11 +7,9 @@
 #define TWIDDLE_SETUP_H
 
 #include <twiddle/controller.h>
-#include <twiddle/joint_range.h>
+#include <twiddle/detail/controller_names.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* How one joint is driven. */
 struct twd_joint_setup {
@@ -48,7 +46,6 @@ struct twd_setup {
  * and twd_gravity_init refuse; `config` is then not to be used. The rest is checked by twd_controller_init. */
 enum twd_error twd_setup_config(const struct twd_setup *setup, struct twd_controller_config *config);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

@@ -8,11 +8,10 @@
 #ifndef TWIDDLE_SKILL_H
 #define TWIDDLE_SKILL_H
 
+#include <twiddle/detail/controller_names.h>
 #include <twiddle/setup.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* A skill: const, in flash. */
 struct twd_skill {
@@ -26,7 +25,6 @@ struct twd_skill {
  * and twd_controller_start, and a null table; `controller` is then not to be used. */
 enum twd_error twd_skill_start(const struct twd_skill *skill, struct twd_controller *controller);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

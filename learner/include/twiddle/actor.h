@@ -6,15 +6,14 @@
 #ifndef TWIDDLE_ACTOR_H
 #define TWIDDLE_ACTOR_H
 
+#include <twiddle/detail/learner_names.h>
 #include <twiddle/error.h>
 #include <twiddle/learner_limits.h>
 #include <twiddle/random.h>
 
 #include <stddef.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* Which y^N the weights learn from, where the clip changes it; the paper knows no clip. */
 enum twd_learned_value {
@@ -58,7 +57,6 @@ void twd_actor_explore(struct twd_actor *actor, const struct twd_exploration *ex
 /* Change the weights for TD error `td_error`, after activate and explore on the same `input`. */
 void twd_actor_learn(struct twd_actor *actor, const twd_num *input, twd_num rate, twd_wide td_error);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

@@ -5,15 +5,14 @@
 #ifndef TWIDDLE_CRITIC_H
 #define TWIDDLE_CRITIC_H
 
+#include <twiddle/detail/learner_names.h>
 #include <twiddle/error.h>
 #include <twiddle/learner_limits.h>
 #include <twiddle/number.h>
 
 #include <stddef.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* The estimator. */
 struct twd_critic {
@@ -30,7 +29,6 @@ twd_wide twd_critic_value(const struct twd_critic *critic, const twd_num *input)
 /* Move the estimate towards `reward`; returns the TD error S before the change. */
 twd_wide twd_critic_learn(struct twd_critic *critic, const twd_num *input, twd_num rate, twd_wide reward);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

@@ -6,13 +6,12 @@
 #ifndef TWIDDLE_INPUT_MAP_H
 #define TWIDDLE_INPUT_MAP_H
 
+#include <twiddle/detail/learner_names.h>
 #include <twiddle/number.h>
 
 #include <stddef.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* Rows of the map. */
 enum twd_shape { TWD_SHAPE_SPHERE = 0, TWD_SHAPE_CYLINDER = 1, TWD_SHAPE_CUBE = 2, TWD_SHAPES = 3 };
@@ -27,7 +26,6 @@ enum twd_shape { TWD_SHAPE_SPHERE = 0, TWD_SHAPE_CYLINDER = 1, TWD_SHAPE_CUBE = 
  * `squared_norm` is the sum of the squared responses for a size well inside the map, [0, 100]; values beyond are clamped. */
 void twd_input_map(enum twd_shape shape, twd_num size_m, twd_wide squared_norm, twd_num *input);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

@@ -8,12 +8,11 @@
 
 #include <twiddle/actor.h>
 #include <twiddle/critic.h>
+#include <twiddle/detail/learner_names.h>
 #include <twiddle/error.h>
 #include <twiddle/random.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* How far exploration reaches at each trial: the half-range of the uniform noise falls linearly from `start` to `end`
  * over the first `decay_fraction` of the training and stays there. */
@@ -79,7 +78,6 @@ twd_wide twd_learner_learn(struct twd_learner *learner, twd_wide reward);
 /* The learned policy: the parameters for `input` without noise, [units]; leaves the learner as it was. */
 void twd_learner_policy(const struct twd_learner *learner, const twd_num *input, twd_num *parameter);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

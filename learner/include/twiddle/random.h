@@ -4,11 +4,10 @@
 #ifndef TWIDDLE_RANDOM_H
 #define TWIDDLE_RANDOM_H
 
+#include <twiddle/detail/learner_names.h>
 #include <twiddle/number.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TWD_BEGIN_DECLARATIONS
 
 /* The state; never all zero. */
 struct twd_random {
@@ -24,7 +23,6 @@ uint32_t twd_random_next(struct twd_random *random);
 /* A uniform number in [-half_range, half_range), from the upper 24 bits of one draw, the same draw in every number build. */
 twd_num twd_random_symmetric(struct twd_random *random, twd_num half_range);
 
-#ifdef __cplusplus
-}
-#endif
+TWD_END_DECLARATIONS
+
 #endif

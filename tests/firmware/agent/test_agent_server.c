@@ -31,8 +31,7 @@ static struct twd_controller_config controller_config(void)
     config.ranges = (struct twd_parameter_ranges){TWD_NUM(0.5), TWD_NUM(1.5), TWD_NUM(1), TWD_NUM(0.5), 0, TWD_NUM(1)};
     config.joints = JOINTS;
     for (int j = 0; j < JOINTS; j++) {
-        config.joint[j].lower_rad = twd_icub_joint_range[j].lower_rad;
-        config.joint[j].upper_rad = twd_icub_joint_range[j].upper_rad;
+        config.joint[j].range = twd_icub_joint_range[j];
         config.joint[j].pd = (struct twd_pd){TWD_NUM(0.2), TWD_NUM(0.01), TWD_NUM(0.1)};
     }
     config.fingers = 2;

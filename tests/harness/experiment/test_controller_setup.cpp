@@ -31,8 +31,8 @@ TEST(ControllerSetup, settings_reach_their_joints)
     ASSERT_EQ(config.joints, 4);
     for (std::size_t i = 0; i < expected.size(); ++i) {
         const twd_joint &joint = config.joint[i];
-        EXPECT_NEAR(twd_num_to_double(joint.lower_rad), expected[i][0] * deg, 1e-6) << i;
-        EXPECT_NEAR(twd_num_to_double(joint.upper_rad), expected[i][1] * deg, 1e-6) << i;
+        EXPECT_NEAR(twd_num_to_double(joint.range.lower_rad), expected[i][0] * deg, 1e-6) << i;
+        EXPECT_NEAR(twd_num_to_double(joint.range.upper_rad), expected[i][1] * deg, 1e-6) << i;
         EXPECT_NEAR(twd_num_to_double(joint.pd.stiffness_nm_per_rad), expected[i][2], 1e-7) << i;
         EXPECT_NEAR(twd_num_to_double(joint.pd.damping_nms_per_rad), expected[i][3], rounding) << i;
         EXPECT_NEAR(twd_num_to_double(joint.pd.torque_limit_nm), 1, 1e-7) << i;
@@ -98,7 +98,7 @@ TEST(ControllerSetup, stable_pd_law_takes_its_period_from_the_substeps)
             EXPECT_NEAR(twd_num_to_double(stable.joint[i].pd.stiffness_nm_per_rad), kp / divisor, 1e-6) << i;
             EXPECT_NEAR(twd_num_to_double(stable.joint[i].pd.damping_nms_per_rad), (kd + h * kp) / divisor, 1e-8) << i;
             EXPECT_EQ(stable.joint[i].pd.torque_limit_nm, plain.joint[i].pd.torque_limit_nm) << i;
-            EXPECT_EQ(stable.joint[i].upper_rad, plain.joint[i].upper_rad) << i;
+            EXPECT_EQ(stable.joint[i].range.upper_rad, plain.joint[i].range.upper_rad) << i;
         }
     }
 }

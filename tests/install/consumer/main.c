@@ -29,8 +29,8 @@ static struct twd_controller_config config_of_wings(void)
     config.ranges.centre_upper = TWD_NUM(1);
     config.joints = 2;
     for (int j = 0; j < 2; j++) {
-        config.joint[j].lower_rad = TWD_NUM(-1);
-        config.joint[j].upper_rad = TWD_NUM(1);
+        config.joint[j].range.lower_rad = TWD_NUM(-1);
+        config.joint[j].range.upper_rad = TWD_NUM(1);
         config.joint[j].pd.stiffness_nm_per_rad = TWD_NUM(0.2);
         config.joint[j].pd.torque_limit_nm = TWD_NUM(1);
     }

@@ -7,6 +7,8 @@
 #ifndef TWIDDLE_FIXED_FILTER_H
 #define TWIDDLE_FIXED_FILTER_H
 
+TWD_BEGIN_DECLARATIONS
+
 /* The transition of one tick. */
 struct twd_filter_step {
     twd_factor mixing;   /* e k, less than 1 - e */
@@ -48,5 +50,7 @@ static inline void twd_filter_advance(struct twd_filter *filter, const struct tw
     filter->value = (twd_num)twd_subtract_mul_factor(mixed, d, step->decrease);
     filter->lead = (twd_num)twd_subtract_mul_factor(s, s, step->decrease);
 }
+
+TWD_END_DECLARATIONS
 
 #endif

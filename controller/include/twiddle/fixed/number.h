@@ -7,11 +7,13 @@
 #ifndef TWIDDLE_FIXED_NUMBER_H
 #define TWIDDLE_FIXED_NUMBER_H
 
-#define TWD_NUMBER_NAME "fixed"
-
 #if defined(TWD_STRICT_TYPES)
 #include <twiddle/fixed/strict.hpp>
-#else
+#endif
+
+TWD_BEGIN_DECLARATIONS
+
+#if !defined(TWD_STRICT_TYPES)
 typedef int32_t twd_num;
 typedef int32_t twd_wide;
 typedef int32_t twd_rate;
@@ -430,5 +432,7 @@ static inline bool twd_rate_is_usable(twd_rate value)
 {
     return twd_word_is_inside((int32_t)value);
 }
+
+TWD_END_DECLARATIONS
 
 #endif

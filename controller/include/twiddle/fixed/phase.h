@@ -2,6 +2,8 @@
 #ifndef TWIDDLE_FIXED_PHASE_H
 #define TWIDDLE_FIXED_PHASE_H
 
+TWD_BEGIN_DECLARATIONS
+
 /* The largest turns below a half. */
 #define TWD_LARGEST_HALF ((int32_t)0x07FFFFFF)
 
@@ -88,5 +90,7 @@ static inline void twd_sine_cosine(twd_phase phase, twd_num *sine, twd_num *cosi
     *sine = twd_sin(phase);
     *cosine = twd_cos(phase);
 }
+
+TWD_END_DECLARATIONS
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef TWIDDLE_FLOAT_FILTER_H
 #define TWIDDLE_FLOAT_FILTER_H
 
+TWD_BEGIN_DECLARATIONS
+
 /* The transition of one tick of h seconds, with k = a h / 2 and e = exp(-k). */
 struct twd_filter_step {
     twd_num error_from_error;       /* e (1 + k) */
@@ -45,5 +47,7 @@ static inline void twd_filter_advance(struct twd_filter *filter, const struct tw
     filter->value = target + twd_mul(step->error_from_error, error) + twd_mul(step->error_from_velocity, velocity);
     filter->velocity = twd_mul(step->velocity_from_error, error) + twd_mul(step->velocity_from_velocity, velocity);
 }
+
+TWD_END_DECLARATIONS
 
 #endif

@@ -3,15 +3,12 @@
 #ifndef TWIDDLE_FLOAT_NUMBER_H
 #define TWIDDLE_FLOAT_NUMBER_H
 
+TWD_BEGIN_DECLARATIONS
+
 #if defined(TWD_NUMBER_DOUBLE)
 typedef double twd_num;
-#define TWD_NUMBER_NAME "double"
 #else
-#ifndef TWD_NUMBER_FLOAT
-#define TWD_NUMBER_FLOAT
-#endif
 typedef float twd_num;
-#define TWD_NUMBER_NAME "float"
 #endif
 typedef twd_num twd_wide;
 typedef twd_num twd_rate;
@@ -218,5 +215,7 @@ static inline bool twd_rate_is_usable(twd_rate value)
 {
     return twd_within(value, -TWD_LARGEST_RATE, TWD_LARGEST_RATE);
 }
+
+TWD_END_DECLARATIONS
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef TWIDDLE_FLOAT_PHASE_H
 #define TWIDDLE_FLOAT_PHASE_H
 
+TWD_BEGIN_DECLARATIONS
+
 /* The first two functions are the only places where the two scales meet: numbers, and phases of 2^32 a turn. */
 
 /* The phase of `turns` in [-0.5, 0.5), rounded towards zero. */
@@ -107,5 +109,7 @@ static inline void twd_sine_cosine(twd_phase phase, twd_num *sine, twd_num *cosi
     *sine = quarters & 2U ? -unsigned_sine : unsigned_sine;
     *cosine = (quarters + 1U) & 2U ? -unsigned_cosine : unsigned_cosine;
 }
+
+TWD_END_DECLARATIONS
 
 #endif

@@ -1,5 +1,4 @@
 #include <twiddle/cpg.h>
-#include <twiddle/model.h>
 
 /* Joint order: FEI, AAI, FET, OT. Oscillators are numbered as in the paper's Fig. 3, from 0 here. */
 
@@ -47,8 +46,3 @@ const struct twd_topology twd_cpg_s = {
     .joint_oscillator = cpg_s_joint_oscillator,
     .initial_centre = cpg_s_initial_centre,
 };
-
-const struct twd_model twd_model_c = {.name = "cpg-c", .cpgs = 1, .topology = {&twd_cpg_c}};
-const struct twd_model twd_model_m = {.name = "cpg-m", .cpgs = 1, .topology = {&twd_cpg_m}};
-const struct twd_model twd_model_s = {.name = "cpg-s", .cpgs = 1, .topology = {&twd_cpg_s}};
-const struct twd_model twd_model_h = {.name = "cpg-h", .cpgs = 3, .topology = {&twd_cpg_c, &twd_cpg_m, &twd_cpg_s}};

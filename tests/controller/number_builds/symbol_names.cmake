@@ -1,0 +1,18 @@
+# Every external symbol of a library ends with its number type, so that the builds can meet in one program. LIBRARIES is
+# a list of NUMBER=FILE. Names in __ are the compiler's own (sanitizers).
+foreach(library IN LISTS LIBRARIES)
+  string(REGEX MATCH "^([a-z]+)=(.+)$" found "${library}")
+  set(number ${CMAKE_MATCH_1})
+  set(file ${CMAKE_MATCH_2})
+  execute_process(COMMAND ${NM} -g --defined-only ${file} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL " [A-Z] [^\n]+" symbols "${output}")
+  if(NOT symbols)
+    message(SEND_ERROR "${file} has no symbols")
+  endif()
+  foreach(symbol IN LISTS symbols)
+    string(SUBSTRING "${symbol}" 3 -1 symbol)
+    if(NOT symbol MATCHES "^(twd_.*_${number}|__.*)$")
+      message(SEND_ERROR "${file} defines ${symbol}")
+    endif()
+  endforeach()
+endforeach()
