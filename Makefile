@@ -12,7 +12,10 @@ PREFIX ?= /usr/local
 
 .DEFAULT_GOAL := help
 .PHONY: help run test accuracy bench bench-peers bench-firmware performance plots hand-tables example-policy firmware
-.PHONY: deps peers build sanitize format lint lint-format lint-tidy analyze install clean gnuplot
+.PHONY: peers program build sanitize format lint lint-format lint-tidy analyze install clean gnuplot
+
+# From left to right, whatever -j says: first the packages, then one build at a time, which takes all cores itself.
+.NOTPARALLEL:
 
 help: ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -21,30 +24,37 @@ help: ## print this list
 
 DEMO := results/demo
 
-run: build gnuplot ## train CPG-H on the small sphere, replay what it learned, and draw both, into results/demo
+run: program gnuplot ## train CPG-H on the small sphere, replay what it learned, and draw both, into results/demo
 	rm -rf $(DEMO)
 	$(TWIDDLE) train --object small-sphere --model cpg-h --seed 1 --trials 5000 --out $(DEMO)
 	$(TWIDDLE) replay $(DEMO)
 	plots/draw-run $(DEMO)
 
-test: build peers firmware ## run all tests, on the emulated boards too
+test: deps-run-test-firmware with-tests-emulators peers firmware ## run all tests, on the emulated boards too
+	$(build) program tests emulators
 	@rm -rf $(BUILD)/golden
-	ctest --preset host --parallel $$(nproc)
+	ctest --preset host --parallel $$(nproc) --output-log $(BUILD)/ctest.log
 	@cat $(BUILD)/golden/*.txt
+	@grep ' tests passed' $(BUILD)/ctest.log
 
-accuracy: build ## measure how far the float and the fixed build are from double, as a table
-	$(BUILD)/bin/compare_accuracy $(addprefix $(BUILD)/bin/,record_accuracy_double record_accuracy record_accuracy_fixed)
+accuracy: deps-run-test with-tests ## measure how far the float and the fixed build are from double, as a table
+	$(build) compare_accuracy $(recorders)
+	$(addprefix $(BUILD)/bin/,compare_accuracy $(recorders))
+recorders := record_accuracy_double record_accuracy record_accuracy_fixed
 
-bench: build-bench_control ## measure the speed of the full loop and of the controller's tick
+bench: deps-run-bench with-bench ## measure the speed of the full loop and of the controller's tick
+	$(build) bench_control
 	$(BUILD)/bin/bench_control
 
-bench-peers: peers build-bench_rollouts ## compare speed and accuracy with MuJoCo from PyPI: make bench-peers PEERS_SETS=200
+bench-peers: deps-run-bench with-bench peers ## compare speed and accuracy with MuJoCo from PyPI: make bench-peers PEERS_SETS=200
+	$(build) bench_rollouts
 	PYTHONPATH=peers $(PEERS_VENV)/bin/python -B bench/bench_peers.py --program $(BUILD)/bin/bench_rollouts --models models \
 	    --sets $(PEERS_SETS) --out build/bench/peers.csv
 
 PERFORMANCE := build/bench/performance
 
-performance: gnuplot build-bench_growth ## measure how the cost of a control step grows with the work, and draw it (about 5 minutes), into build/bench
+performance: deps-run-bench gnuplot with-bench ## measure how the cost of a control step grows with the work, and draw it (about 5 minutes), into build/bench
+	$(build) bench_growth
 	@mkdir -p build/bench
 	$(BUILD)/bin/bench_growth build/bench/growth.csv
 	@for format in svg png; do \
@@ -83,12 +93,12 @@ WAIT ?= 1
 .PHONY: paper paper-local paper-slurm paper-results
 paper: paper-$(ENGINE) ## train all runs of a sweep into results/SWEEP[-SETUP], make its tables and draw it; goes on where it was stopped: make paper SWEEP=smoke JOBS=2, SETUP=near or ENGINE=slurm
 
-paper-local: build gnuplot
+paper-local: program gnuplot
 	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out $(RESULTS) --jobs $(JOBS) $(setup_option)
 	+@$(MAKE) --no-print-directory paper-results
 
 # The results are made by a job on a machine that builds nothing, by a make of its own.
-paper-slurm: build
+paper-slurm: program
 	@scripts/submit-sweep --program $(TWIDDLE) $(if $(THROTTLE),--throttle '$(THROTTLE)') --sbatch '$(SBATCH_ARGS)' \
 	    $(if $(filter 0,$(WAIT)),--no-wait) $(setup_option) models/sweeps/$(SWEEP).toml $(RESULTS) \
 	    make --no-print-directory paper-results SWEEP=$(SWEEP) RESULTS=$(RESULTS) BUILD=$(BUILD)
@@ -100,11 +110,11 @@ paper-results: gnuplot ## make tables and figures from the complete runs of a sw
 CALIBRATION := results/calibration
 
 .PHONY: calibrate
-calibrate: build ## search a set-up that comes near the paper's tables (up to two hours; goes on where it was stopped)
+calibrate: program ## search a set-up that comes near the paper's tables (up to two hours; goes on where it was stopped)
 	$(TWIDDLE) calibrate models/calibrations/paper.toml --out $(CALIBRATION) --jobs $(JOBS)
 
 .PHONY: confirm
-confirm: build ## replay CPG-H's policies of a sweep in both steppers, and print the rotations side by side: make confirm SWEEP=paper
+confirm: program ## replay CPG-H's policies of a sweep in both steppers, and print the rotations side by side: make confirm SWEEP=paper
 	scripts/confirm-steppers $(RESULTS)
 
 # --- microcontrollers ---
@@ -112,11 +122,11 @@ confirm: build ## replay CPG-H's policies of a sweep in both steppers, and print
 BOARDS := microbit mps2-an386 mps2-an500 virt atmega1284p
 FIRMWARE := $(foreach board,$(BOARDS),$(addprefix build/firmware/$(board)-,Os O2))
 
-firmware: $(FIRMWARE) ## build the images of all boards at -Os and -O2, and print what they take of flash, RAM and stack
+firmware: deps-firmware $(FIRMWARE) ## build the images of all boards at -Os and -O2, and print what they take of flash, RAM and stack
 	@firmware/scripts/size_table.py $(FIRMWARE)
 
 # Quiet, so that the table is what one reads; what fails is shown in full.
-build/firmware/%/build.ninja: CMakePresets.json | deps
+build/firmware/%/build.ninja: CMakePresets.json
 	@scripts/quietly cmake --preset firmware-$*
 
 .PHONY: $(FIRMWARE)
@@ -126,9 +136,9 @@ $(FIRMWARE): %: %/build.ninja
 # CMSIS_DSP= goes without it, and without a network.
 CMSIS_DSP ?= build/cmsis-dsp
 
-bench-firmware: $(BUILD)/build.ninja deps ## count what controller and learner cost on each emulated board, beside other libraries, into build/bench
+bench-firmware: deps-run-firmware with-emulators ## count what controller and learner cost on each emulated board, beside other libraries, into build/bench
 	$(if $(CMSIS_DSP),@firmware/bench/fetch-cmsis-dsp $(CMSIS_DSP))
-	@scripts/quietly cmake --build --preset host --target emulators
+	@scripts/quietly $(build) emulators
 	@for board in $(BOARDS); do \
 	    scripts/quietly cmake --preset firmware-$$board-O2 -DTWIDDLE_CMSIS_DSP=$(abspath $(CMSIS_DSP)) && \
 	    scripts/quietly cmake --build --preset firmware-$$board-O2 --target bench_images --parallel $(JOBS) || exit 1; done
@@ -136,34 +146,43 @@ bench-firmware: $(BUILD)/build.ninja deps ## count what controller and learner c
 
 # --- building ---
 
-# DEPS=no takes what is there, on machines whose packages are somebody else's business.
+# deps-GROUP-GROUP: the packages of these groups of scripts/install-deps. DEPS=no takes what is there, on machines whose packages are
+# somebody else's business.
 DEPS ?= yes
 
-deps:
-	@$(if $(filter no,$(DEPS)),:,scripts/install-deps)
+deps-%:
+	@$(if $(filter no,$(DEPS)),:,scripts/install-deps $(subst -, ,$*))
+
+# with-PART-PART: the build folder, configured for the program and these parts, each of which needs packages of its own.
+with-%:
+	@scripts/configure $(BUILD) $(subst -, ,$*)
+
+# Ninja configures again by itself when a CMakeLists.txt changes.
+build = cmake --build $(BUILD) --target
+
+program: deps-run ## build the program, in all number types, into build/host
+	@scripts/configure $(BUILD)
+	$(build) program
+
+build: deps-run-test-firmware-bench with-tests-bench-emulators ## build everything into build/host: the program, its tests and benchmarks, the emulators
+	$(build) all bench
 
 # The other engine, which tests and benchmarks compare with.
 PEERS_VENV := build/peers-venv
 
-peers: deps
+peers:
 	@scripts/install-peers $(PEERS_VENV)
 
-# Ninja configures again by itself when a CMakeLists.txt changes.
-build/%/build.ninja: CMakePresets.json | deps
+build/sanitize/build.ninja build/library/build.ninja: build/%/build.ninja: CMakePresets.json
 	cmake --preset $*
 
-build: $(BUILD)/build.ninja deps ## build everything into build/host
-	cmake --build --preset host
-
-build-%: build
-	cmake --build --preset host --target $*
-
-sanitize: build/sanitize/build.ninja deps peers ## build and test with the address and undefined-behaviour sanitizers
+sanitize: deps-run-test build/sanitize/build.ninja peers ## build and test with the address and undefined-behaviour sanitizers
 	cmake --build --preset sanitize
 	ctest --preset sanitize --parallel $$(nproc)
 
-install: build ## install library and program: make install PREFIX=/usr/local
-	cmake --install $(BUILD) --prefix $(PREFIX)
+install: deps-library build/library/build.ninja ## install the C libraries: make install PREFIX=/usr/local
+	cmake --build --preset library
+	cmake --install build/library --prefix $(PREFIX)
 
 clean: ## remove build/ (results/ stays)
 	rm -rf build
@@ -172,7 +191,7 @@ clean: ## remove build/ (results/ stays)
 
 EXAMPLE_RUN := build/example-policy
 
-example-policy: build ## train the policy of firmware/examples again, and write its C header
+example-policy: program ## train the policy of firmware/examples again, and write its C header
 	rm -rf $(EXAMPLE_RUN)
 	$(TWIDDLE) train --object small-sphere --model cpg-h --seed 1 --trials 2000 --number fixed --out $(EXAMPLE_RUN)
 	$(TWIDDLE) export $(EXAMPLE_RUN) --c-header --name example --out firmware/examples/example_policy.h
@@ -180,19 +199,21 @@ example-policy: build ## train the policy of firmware/examples again, and write 
 HAND := models/icub_right_hand.urdf
 HAND_TABLES := controller/src/icub_right_hand.c
 
-hand-tables: build ## write the controller's tables of the hand again from its URDF
+hand-tables: deps-run ## write the controller's tables of the hand again from its URDF
+	@scripts/configure $(BUILD)
+	$(build) twiddle-hand-tables
 	$(BUILD)/bin/twiddle-hand-tables $(HAND) >$(BUILD)/icub_right_hand.c
 	cp $(BUILD)/icub_right_hand.c $(HAND_TABLES)
 
 # Sources that git knows or would add.
 list = git ls-files --cached --others --exclude-standard --deduplicate -z --
 
-format: ## format all C and C++ sources
+format: deps-lint ## format all C and C++ sources
 	$(list) '*.c' '*.h' '*.cpp' '*.hpp' | xargs -0 clang-format -i
 
-lint: lint-format lint-tidy ## check the format, and look for mistakes with clang-tidy
+lint: deps-run-test-firmware-lint lint-format lint-tidy ## check the format, and look for mistakes with clang-tidy
 
-lint-format: deps
+lint-format: deps-lint
 	$(list) '*.c' '*.h' '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run -Werror
 
 LINT := $(BUILD)/lint
@@ -205,7 +226,12 @@ tidy = $(own_sources) | grep '[.]$(1)$$' | xargs -n 1 -P $$(nproc) clang-tidy -p
 tidy_harness = $(own_sources) | grep '/harness/.*[.]cpp$$' | grep -v '/tests/' | xargs -n 1 -P $$(nproc) \
     clang-tidy -p $(LINT) --quiet --checks=-clang-analyzer-* --extra-arg=-Wno-bitwise-instead-of-logical
 
-$(COMMANDS): build
+# Sources that the build writes, and ours include.
+generated := twiddle_git_commit exported_headers
+
+.PHONY: $(COMMANDS)
+$(COMMANDS): deps-run-test-firmware-lint with-tests-emulators
+	$(build) $(generated)
 	@mkdir -p $(LINT)
 	@awk -f cmake/first_commands.awk $(BUILD)/compile_commands.json >$@
 
@@ -213,5 +239,5 @@ lint-tidy: $(COMMANDS)
 	@$(call tidy,c)
 	@$(tidy_harness)
 
-analyze: $(COMMANDS) ## look for mistakes in all C++ sources, with clang's static analyzer (10 minutes)
+analyze: deps-run-test-firmware-bench-lint with-bench $(COMMANDS) ## look for mistakes in all C++ sources, with clang's static analyzer (10 minutes)
 	@$(call tidy,cpp)

@@ -44,12 +44,13 @@ has_apt_get()
     stand_in apt-get 'echo "apt-get $* [$DEBIAN_FRONTEND]" >>"'"$work"'/log"; exit '"${1:-0}"
 }
 
-# expect STATUS [OUTPUT_PART...]: run it, check its exit status and that its output has every part.
+# expect STATUS [OUTPUT_PART...]: run it for the groups in `groups`; check its exit status, and that its output has every part.
+groups=()
 expect()
 {
     local wanted=$1 status=0 part
     shift
-    output=$(PATH=$work/bin "$install_deps" 2>&1 </dev/null) || status=$?
+    output=$(PATH=$work/bin "$install_deps" "${groups[@]}" 2>&1 </dev/null) || status=$?
     [[ $status == "$wanted" ]] || refuse "exit status $status, expected $wanted"
     for part in "$@"; do
         [[ $output == *"$part"* ]] || refuse "no '$part' in the output"
@@ -66,6 +67,21 @@ refuse()
 expect_log()
 {
     [[ $(<"$work/log") == "$1" ]] || refuse "calls other than: $1"
+}
+
+# asks_for GROUPS PACKAGES: a machine that has nothing is told these packages for these groups, and no more. Both are words.
+asks_for()
+{
+    local asked
+    read -ra groups <<<"$1"
+    empty_machine
+    user 0
+    expect 1 "there is no apt-get"
+    one_sentence
+    asked=${output##*means: }
+    asked=$(printf '%s\n' $asked | sort)
+    [[ $asked == "$(printf '%s\n' $2 | sort)" ]] || refuse "other packages than: $2"
+    groups=()
 }
 
 one_sentence()
@@ -151,6 +167,63 @@ a_machine_without_dpkg_is_told_the_whole_list()
     one_sentence
 }
 
+# What the README promises of `make run`: the program, and nothing of tests, boards or benchmarks.
+program="build-essential cmake ninja-build pkg-config git libbullet-dev libccd-dev liburdfdom-dev libcli11-dev
+    libtomlplusplus-dev nlohmann-json3-dev libboost-math-dev gnuplot-nox fonts-dejavu-core"
+tests="libcmocka-dev libgtest-dev libgsl-dev libbullet-extras-dev libtinyxml-dev clang
+    slurmctld slurmd slurm-client munge procps python3-venv"
+boards="gcc-arm-none-eabi libnewlib-arm-none-eabi gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf gcc-avr avr-libc
+    qemu-system-arm qemu-system-misc libsimavr-dev libelf-dev"
+
+each_group_has_its_own_packages()
+{
+    asks_for run "$program"
+    asks_for library "build-essential cmake ninja-build"
+    asks_for test "$tests"
+    asks_for firmware "cmake ninja-build $boards python3-venv"
+    asks_for bench "libbenchmark-dev python3-venv"
+    asks_for lint "clang-format clang-tidy"
+}
+
+what_two_groups_share_is_asked_for_once()
+{
+    asks_for "test bench" "$tests libbenchmark-dev"
+    asks_for "bench test" "$tests libbenchmark-dev"
+    asks_for "run firmware" "$program $boards python3-venv"
+}
+
+no_group_is_all_of_them()
+{
+    asks_for "" "$program $tests $boards libbenchmark-dev clang-format clang-tidy"
+}
+
+another_groups_missing_package_is_nobodys_business()
+{
+    empty_machine
+    has_packages all-but qemu-system-arm
+    has_apt_get
+    user 1000
+    groups=(run test bench)
+    expect 0
+    [[ -z $output ]] || refuse "output where none is expected"
+    groups=(run firmware)
+    expect 1 "ask for these: qemu-system-arm"
+    one_sentence
+    groups=()
+    expect_log ""
+}
+
+a_group_that_is_not_there_is_wrong_use()
+{
+    empty_machine
+    has_packages all
+    user 0
+    groups=(run tests)
+    expect 2 "there is no group 'tests'; the groups are: run library test firmware bench lint"
+    one_sentence
+    groups=()
+}
+
 a_failing_apt_get_fails_the_script()
 {
     empty_machine
@@ -168,6 +241,11 @@ claims=(
     a_user_whom_sudo_refuses_is_told_what_to_ask_for
     a_machine_without_apt_get_is_told_what_is_missing
     a_machine_without_dpkg_is_told_the_whole_list
+    each_group_has_its_own_packages
+    what_two_groups_share_is_asked_for_once
+    no_group_is_all_of_them
+    another_groups_missing_package_is_nobodys_business
+    a_group_that_is_not_there_is_wrong_use
     a_failing_apt_get_fails_the_script
 )
 for claim in "${claims[@]}"; do

@@ -12,9 +12,9 @@ fail() {
     exit 1
 }
 
-# `build` counts as up to date, so that nothing is built.
+# `program` counts as up to date, so that nothing is built.
 paper() { # ARGUMENT...
-    make --no-print-directory -C "$source" -o build paper BUILD="$build" "$@"
+    make --no-print-directory -C "$source" -o program paper BUILD="$build" "$@"
 }
 
 complete_runs() { # RESULTS
@@ -23,7 +23,7 @@ complete_runs() { # RESULTS
 
 # Start a smoke sweep and kill make and its workers, of one process group, with some of the 12 runs complete.
 kill_half_way() { # RESULTS
-    setsid make --no-print-directory -C "$source" -o build paper BUILD="$build" SWEEP=smoke JOBS=2 RESULTS="$1" \
+    setsid make --no-print-directory -C "$source" -o program paper BUILD="$build" SWEEP=smoke JOBS=2 RESULTS="$1" \
         >"$work/killed.log" 2>&1 &
     group=$!
     tries=0

@@ -32,7 +32,7 @@ fail()
 # What a user types, but for the build, and with results in a folder of the test. It takes some seconds.
 paper()
 {
-    timeout 100 make --no-print-directory -C "$source" -o build paper SWEEP=smoke BUILD="$build" RESULTS="$work/$1" "${@:2}"
+    timeout 100 make --no-print-directory -C "$source" -o program paper SWEEP=smoke BUILD="$build" RESULTS="$work/$1" "${@:2}"
 }
 
 # The processes of the task that does a run, by its index: twiddle and its worker, one a line.
