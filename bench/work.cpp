@@ -1,6 +1,6 @@
 #include "work.hpp"
 
-#include "experiment/models.hpp"
+#include "engine/models.hpp"
 
 #include <sys/resource.h>
 

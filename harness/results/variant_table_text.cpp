@@ -10,7 +10,7 @@ namespace twiddle::results
 namespace
 {
 
-const std::string bootstrap_text = "95 % percentile bootstrap interval of the difference, " +
+const std::string resampling_text = "95 % percentile bootstrap interval of the difference, " +
                                    std::to_string(bootstrap_resamples) +
                                    " resamples of the runs within each object from a fixed seed";
 
@@ -82,7 +82,7 @@ std::string definitions(const Sweep &sweep)
            "sign and model, comes first. \"The same runs\": every rotation is the same, digit for digit; the change "
            "does not reach the model, or is the set-up's own value.\n"
            "- interval: " +
-           bootstrap_text +
+           resampling_text +
            ". With five runs a cell it is about a tenth too narrow; and of twenty intervals one would leave out 0 if "
            "nothing had an effect.\n";
 }
@@ -93,7 +93,7 @@ std::string variants_csv(const Sweep &sweep, const VariantTable &table)
 {
     Texts comments = {"the variants of the sweep, each beside the same runs with the sweep's own settings",
                       rotation_text(sweep) + "; mean_rad: of the runs on each object, then over the objects",
-                      "difference_rad: mean_rad - base_mean_rad; lower_rad, upper_rad: " + bootstrap_text,
+                      "difference_rad: mean_rad - base_mean_rad; lower_rad, upper_rad: " + resampling_text,
                       "same_runs: every rotation is the base's, digit for digit", origin_text(sweep)};
     std::vector<Texts> rows;
     for (const VariantRow &row : table.rows) {

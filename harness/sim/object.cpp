@@ -12,7 +12,7 @@ namespace twiddle::sim
 namespace
 {
 
-constexpr double tolerance = 1e-9;
+constexpr double square_tolerance = 1e-9;
 
 std::filesystem::path objects_dir(const std::filesystem::path &models_dir)
 {
@@ -36,7 +36,7 @@ const urdf::Geometry &geometry_of(const std::filesystem::path &path, const urdf:
     if (link.collision_array.size() != 1) fail("an object must have one <collision> shape");
     const urdf::Pose &origin = link.collision->origin;
     const double offset = std::abs(origin.position.x) + std::abs(origin.position.y) + std::abs(origin.position.z);
-    if (offset > tolerance || 1 - std::abs(origin.rotation.w) > tolerance) {
+    if (offset > square_tolerance || 1 - std::abs(origin.rotation.w) > square_tolerance) {
         fail("the <collision> shape must be centred on the origin and not be turned, since the hinge is its z axis");
     }
     return *link.collision->geometry;
@@ -58,7 +58,7 @@ ObjectSpec spec_of(const std::filesystem::path &path, const urdf::Geometry &geom
         return spec;
     }
     if (const auto *box = dynamic_cast<const urdf::Box *>(&geometry);
-        box && std::abs(box->dim.x - box->dim.y) <= tolerance) {
+        box && std::abs(box->dim.x - box->dim.y) <= square_tolerance) {
         spec.shape = Shape::cube;
         spec.size_m = std::hypot(box->dim.x, box->dim.y);
         spec.height_m = box->dim.z;

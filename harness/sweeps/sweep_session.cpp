@@ -32,7 +32,7 @@ double seconds_since(Clock::time_point start)
 }
 
 // The end of a sentence about a run's folder that cannot be gone on with.
-std::string advice(const runs::RunFolder &folder)
+std::string advice_for(const runs::RunFolder &folder)
 {
     return "remove '" + folder.path.string() + "' to train this run again";
 }
@@ -132,7 +132,7 @@ TaskEnd SweepSession::train(std::size_t index, const Reporter &report) const
     const runs::RunFolder folder{folder_ / planned.folder};
     make_folder(folder.path);
     const runs::FolderLock lock(folder.path);
-    const std::optional<record::Run> earlier = runs::claim(folder, planned.specification, advice(folder));
+    const std::optional<record::Run> earlier = runs::claim(folder, planned.specification, advice_for(folder));
     const std::uint32_t trials = plan_.common.trials;
     if (is_trained(earlier, folder)) {
         // Another process may have completed it in the meantime, or been stopped before the replay.
@@ -145,7 +145,7 @@ TaskEnd SweepSession::train(std::size_t index, const Reporter &report) const
     run.command = command_of_(index);
     runs::TrainingSession session(folder, run, models_);
     if (earlier) {
-        session.resume(advice(folder));
+        session.resume(advice_for(folder));
     } else {
         session.start_anew();
     }

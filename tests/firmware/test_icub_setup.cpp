@@ -4,10 +4,11 @@ extern "C" {
 #include "icub_setup.h"
 }
 
-#include "experiment/controller_setup.hpp"
-#include "experiment/models.hpp"
+#include "engine/controller_setup.hpp"
 
 #include <twiddle/convert.h>
+
+#include "setups.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@ namespace
 {
 
 using namespace twiddle;
+namespace library = twiddle::engine::TWD_BUILD_NAMESPACE;
 
 // Constants are written with seven digits.
 void expect_close(twd_num ours, twd_num theirs, const char *what)
@@ -35,8 +37,8 @@ void expect_equal(const twd_gravity &ours, const twd_gravity &theirs)
 // Every setting, and the gravity of both fingers as init made it of their held joints.
 TEST(IcubSetup, controller_is_the_papers)
 {
-    const settings::Setup setup = settings::load_setup(TWIDDLE_MODELS, "paper");
-    const twd_controller_config theirs = experiment::controller_config(setup, experiment::find_model("cpg-h"), true);
+    const settings::Setup setup = test::load_setup("paper");
+    const twd_controller_config theirs = library::controller_config({setup, "cpg-h", true});
     twd_controller_config ours;
     ASSERT_EQ(icub_controller_config(&ours), TWD_OK);
 
@@ -73,9 +75,9 @@ TEST(IcubSetup, controller_is_the_papers)
 
 TEST(IcubSetup, learner_is_the_papers)
 {
-    const settings::Setup setup = settings::load_setup(TWIDDLE_MODELS, "paper");
+    const settings::Setup setup = test::load_setup("paper");
     const twd_learner_config theirs =
-        experiment::learner_config(setup.learner, experiment::find_model("cpg-h"), true, 40, 7);
+        library::learner_config({{setup, "cpg-h", true}, 40, 7});
     const twd_learner_config ours = icub_learner_config(40, 7);
 
     EXPECT_EQ(ours.units, theirs.units);
@@ -94,10 +96,10 @@ TEST(IcubSetup, learner_is_the_papers)
 
     twd_num input[TWD_INPUTS];
     icub_small_sphere(input);
-    const experiment::LearnerInput sphere =
-        experiment::learner_input(sim::read_object(TWIDDLE_MODELS, "small-sphere"), setup.learner);
+    const engine::LearnerInput sphere =
+        library::learner_input(sim::read_object(TWIDDLE_MODELS, "small-sphere"), setup.learner);
     for (std::size_t i = 0; i < sphere.size(); ++i) {
-        expect_close(input[i], sphere[i], "input");
+        expect_close(input[i], twd_num_from_double(sphere[i]), "input");
     }
 }
 

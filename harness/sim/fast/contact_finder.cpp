@@ -13,7 +13,7 @@ namespace
 constexpr double reserve_m = 0.001;
 
 // Contacts of a finger nearer to each other than this are one: neighbouring capsules share an end sphere.
-constexpr double same_place_m = 1e-4;
+constexpr double same_contact_m = 1e-4;
 
 // A vector or a frame, seen from axes turned by `angle` about z.
 btVector3 turned_back(const SineCosine &angle, const btVector3 &v)
@@ -39,7 +39,7 @@ std::array<btVector3, 2> tangents(const btVector3 &normal)
 bool has_contact_at(const Contacts &contacts, int finger, const btVector3 &p_axis_m)
 {
     for (const Contact &contact : contacts) {
-        if (contact.finger == finger && (contact.p_axis_m - p_axis_m).length2() < same_place_m * same_place_m)
+        if (contact.finger == finger && (contact.p_axis_m - p_axis_m).length2() < same_contact_m * same_contact_m)
             return true;
     }
     return false;

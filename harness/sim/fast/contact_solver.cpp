@@ -14,7 +14,7 @@ constexpr int most_sweeps = 30;
 constexpr double settled = 1e-7;
 // A contact between things that are both held has no inverse mass along its normal; nor has, for all purposes, one whose inverse mass
 // is this share of what it would be with nothing held.
-constexpr double least_share = 1e-6;
+constexpr double least_movable_share = 1e-6;
 
 } // namespace
 
@@ -71,9 +71,9 @@ void ContactSolver::make(Block &block, const Regime &regime) const
         }
     }
     block.made = true;
-    block.movable = w[0][0] > least_share * (contact.finger_row[0][0] * contact.finger_row[0][0] +
-                                             contact.finger_row[0][1] * contact.finger_row[0][1] +
-                                             contact.object_row[0] * contact.object_row[0]);
+    block.movable = w[0][0] > least_movable_share * (contact.finger_row[0][0] * contact.finger_row[0][0] +
+                                                     contact.finger_row[0][1] * contact.finger_row[0][1] +
+                                                     contact.object_row[0] * contact.object_row[0]);
     if (block.movable) {
         block.law = CoulombContact(w, friction_);
     } else {

@@ -10,9 +10,9 @@ namespace
 using namespace twiddle::calibration;
 using namespace twiddle::test;
 
-const std::filesystem::path models = TWIDDLE_MODELS;
+const std::filesystem::path setups = TWIDDLE_SETUPS;
 
-const std::string head = "setup = \"mid-a\"\nseed = 1\nobjects = [\"small-sphere\"]\n"
+const std::string head = "setup = \"near\"\nseed = 1\nobjects = [\"small-sphere\"]\n"
                          "[screening]\ntrials = 10\nseeds = 1\nrandom = 3\nrefined = 2\nparents = 2\n"
                          "[finalists]\ncount = 1\ntrials = 20\nseeds = 2\n"
                          "[reach]\nindex_fei_deg = [25, 60]\nindex_aai_deg = [-15, 15]\nthumb_fet_deg = [25, "
@@ -22,7 +22,7 @@ const std::string variable = "[[variables]]\nsetting = \"object.mass_kg\"\nrange
 CalibrationPlan plan_of_text(const std::string &text)
 {
     const ScratchFolder folder;
-    return read_calibration_plan(folder.write("mine.toml", text), models);
+    return read_calibration_plan(folder.write("mine.toml", text), TWIDDLE_MODELS, setups);
 }
 
 std::string complaint(const std::string &text)
@@ -33,7 +33,7 @@ std::string complaint(const std::string &text)
 // The three objects are one a size and one a shape, so that six are held out.
 TEST(CalibrationPlan, the_repository_compares_three_objects_and_trains_twelve_finalists_in_full)
 {
-    const CalibrationPlan plan = read_calibration_plan(models / "calibrations" / "paper.toml", models);
+    const CalibrationPlan plan = read_calibration_plan(setups.parent_path() / "calibrations" / "paper.toml", TWIDDLE_MODELS, setups);
     EXPECT_EQ(plan.objects, (std::vector<std::string>{"small-sphere", "medium-cylinder", "large-cube"}));
     EXPECT_EQ(plan.finalists, 12U);
     EXPECT_EQ(plan.finals.trials, 5000U);

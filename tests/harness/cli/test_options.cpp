@@ -22,7 +22,7 @@ TEST(Options, wrong_use_is_one_sentence_and_status_2)
         {"train --object small-sphere", "--model is required"},
         {"train --object small-ball --model cpg-h", "small-ball'; the objects are small-sphere, small-cylinder"},
         {"train --object small-sphere --model cpg-x", "cpg-x'; the models are cpg-s, cpg-m, cpg-c, cpg-h"},
-        {train + "--setup here", "here'; the set-ups are mid-a"},
+        {train + "--setup here", "here'; the set-ups are mid-b"},
         {train + "--setup /nowhere/here.toml", "/nowhere/here.toml"},
         {train + "--seed -1", "--seed -1: expected a whole number from 0"},
         {train + "--seed 18446744073709551616", "--seed"},

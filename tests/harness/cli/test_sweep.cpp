@@ -128,7 +128,7 @@ TEST(Sweep, missing_replay_is_made_up_for_without_training)
 
 // A set-up far beyond any hand: torques of 10 N m every 10 ms on an object of 1 g.
 const std::string wild_manifest = R"(trials = 1
-setup = "mid-a"
+setup = "near"
 stepper = "reference"
 [[runs]]
 objects = ["small-sphere"]

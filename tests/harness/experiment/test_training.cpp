@@ -1,5 +1,9 @@
 #include "experiment/training.hpp"
 
+#include "engine/models.hpp"
+
+#include "setups.hpp"
+
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -19,8 +23,9 @@ record::RunSpecification specification(const std::string &model, std::uint32_t t
     specification.trials = trials;
     specification.hand = "welded";
     specification.stepper = "fast";
+    specification.number = TWIDDLE_NUMBER;
     specification.setup = "mid-a";
-    specification.settings = settings::load_setup(TWIDDLE_MODELS, "mid-a", {{"learner.reward_per_rad", "0.5"}}).settings;
+    specification.settings = test::load_setup("mid-a", {{"learner.reward_per_rad", "0.5"}}).settings;
     return specification;
 }
 
@@ -84,7 +89,7 @@ TEST(Training, policy_names_its_parameters)
     Training training(specification("cpg-c", 4), TWIDDLE_MODELS);
     training.recall_trial(1);
     const record::Policy policy = training.policy();
-    const auto names = parameter_names(find_model("cpg-c"), true);
+    const auto names = engine::parameter_names("cpg-c", true);
     ASSERT_EQ(policy.parameters.size(), names.size());
     for (std::size_t i = 0; i < names.size(); ++i) {
         EXPECT_EQ(policy.parameters[i].first, names[i]);

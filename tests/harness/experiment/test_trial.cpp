@@ -3,6 +3,8 @@
 #include "experiment/trial.hpp"
 #include "sim/hand_model.hpp"
 
+#include "setups.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,19 +19,19 @@ using namespace twiddle::experiment;
 
 TrialRunner runner(const std::string &object, const std::string &model, bool with_centre = true)
 {
-    return TrialRunner(sim::Stepper::fast,
-                       sim::read_hand_model(std::filesystem::path(TWIDDLE_MODELS) / "icub_right_hand.urdf"),
-                       sim::read_object(TWIDDLE_MODELS, object), settings::load_setup(TWIDDLE_MODELS, "mid-a"),
-                       sim::HandHold::welded, find_model(model), with_centre);
+    return TrialRunner(TrialWorld(sim::Stepper::fast, sim::read_hand_model(TWIDDLE_MODELS "/icub_right_hand.urdf"),
+                                  sim::read_object(TWIDDLE_MODELS, object), test::load_setup("mid-a"),
+                                  sim::HandHold::welded),
+                       engine::engine_of_number(TWIDDLE_NUMBER), model, with_centre);
 }
 
-Parameters random_parameters(std::size_t count, unsigned seed)
+engine::Parameters random_parameters(std::size_t count, unsigned seed)
 {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(0.01, 0.99);
-    Parameters parameters;
+    engine::Parameters parameters;
     for (std::size_t i = 0; i < count; ++i) {
-        parameters.push_back(twd_num_from_double(uniform(random)));
+        parameters.push_back(uniform(random));
     }
     return parameters;
 }
@@ -41,7 +43,7 @@ TEST(Trial, trial_does_not_depend_on_earlier_ones)
     for (const char *object : {"small-sphere", "medium-cylinder", "large-cube"}) {
         TrialRunner used = runner(object, "cpg-c");
         for (unsigned seed = 1; seed <= 4; ++seed) {
-            const Parameters parameters = random_parameters(12, seed);
+            const engine::Parameters parameters = random_parameters(12, seed);
             TrialRunner fresh = runner(object, "cpg-c");
             const Trajectory expected = record_trajectory(fresh, parameters);
             const Trajectory found = record_trajectory(used, parameters);
@@ -58,7 +60,7 @@ TEST(Trial, trial_does_not_depend_on_earlier_ones)
 TEST(Trial, watched_trial_is_the_same)
 {
     TrialRunner trials = runner("small-sphere", "cpg-h");
-    const Parameters parameters = random_parameters(22, 5);
+    const engine::Parameters parameters = random_parameters(22, 5);
     const double rotation_rad = trials.run(parameters).rotation_rad;
     const Trajectory trajectory = record_trajectory(trials, parameters);
     EXPECT_EQ(trajectory.result.rotation_rad, rotation_rad);
@@ -91,7 +93,7 @@ TEST(Trial, commands_stay_in_range)
 TEST(Trial, one_oscillator_moves_all_joints_alike)
 {
     TrialRunner trials = runner("small-cube", "cpg-s", false);
-    const Trajectory trajectory = record_trajectory(trials, {TWD_NUM(0.4)});
+    const Trajectory trajectory = record_trajectory(trials, {0.4});
     const double deg = 3.14159265358979 / 180;
     for (const TrajectoryRow &row : trajectory.rows) {
         const double fraction = row.sample.desired_rad[fei] / (90 * deg);
@@ -101,13 +103,13 @@ TEST(Trial, one_oscillator_moves_all_joints_alike)
     }
 }
 
-// Parameters that are too few or out of [0, 1] are refused before anything moves.
+// engine::Parameters that are too few or out of [0, 1] are refused before anything moves.
 TEST(Trial, wrong_parameters_are_refused)
 {
     TrialRunner trials = runner("small-sphere", "cpg-s");
-    EXPECT_THROW(trials.run({TWD_NUM(0.5)}), std::invalid_argument);
-    EXPECT_THROW(trials.run({TWD_NUM(0.5), TWD_NUM(1.5)}), std::invalid_argument);
-    EXPECT_THROW(trials.run({TWD_NUM(0.5), twd_num_from_double(std::numeric_limits<double>::quiet_NaN())}),
+    EXPECT_THROW(trials.run({0.5}), std::invalid_argument);
+    EXPECT_THROW(trials.run({0.5, 1.5}), std::invalid_argument);
+    EXPECT_THROW(trials.run({0.5, std::numeric_limits<double>::quiet_NaN()}),
                  std::invalid_argument);
 }
 

@@ -1,8 +1,12 @@
 #include "../scratch_folder.hpp"
 #include "agent/agent_server.h"
+#include "engine/engine.hpp"
 #include "link/chip_agent.hpp"
+#include "link/configured_chip_agent.hpp"
 #include "sim/object.hpp"
 #include "socket_pair.hpp"
+
+#include "setups.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +24,7 @@ namespace
 {
 
 using namespace twiddle;
-using namespace twiddle::experiment;
+using namespace twiddle::engine;
 using test::error_of;
 using test::SocketConnection;
 using test::SocketPair;
@@ -84,9 +88,12 @@ class Chip
 
 AgentSetup setup()
 {
-    const settings::Setup paper = settings::load_setup(TWIDDLE_MODELS, "paper");
-    const twd_model &model = find_model("cpg-h");
-    return {paper.name, controller_config(paper, model, true), learner_config(paper.learner, model, true, 20, 7)};
+    return {{test::load_setup("paper"), "cpg-h", true}, 20, 7};
+}
+
+link::ChipConfig config()
+{
+    return link::chip_config(setup());
 }
 
 // Make the word `index` of each answer of `type` another.
@@ -97,10 +104,10 @@ Meddling with_word(unsigned type, std::size_t index, std::uint8_t value)
     };
 }
 
-std::string complaint(const AgentSetup &setup, const Meddling &meddling)
+std::string complaint(const link::ChipConfig &config, const Meddling &meddling)
 {
     const Chip chip(meddling);
-    return error_of([&] { link::make_chip_agent(chip.connection(), setup); });
+    return error_of([&] { link::make_configured_chip_agent(chip.connection(), config); });
 }
 
 // A chip's agent says the same as one in this process, trial after trial, and has come to the same in the end.
@@ -108,16 +115,17 @@ TEST(ChipAgent, chip_says_the_same_as_this_process)
 {
     const Chip chip;
     const auto there = link::make_chip_agent(chip.connection(), setup());
-    const auto here = make_local_agent(setup());
+    const Engine &fixed = engine_of_number("fixed");
+    const auto here = fixed.make_agent(setup());
     const LearnerInput input =
-        learner_input(sim::read_object(TWIDDLE_MODELS, "small-cube"), settings::load_setup(TWIDDLE_MODELS, "paper").learner);
+        fixed.learner_input(sim::read_object(TWIDDLE_MODELS, "small-cube"), test::load_setup("paper").learner);
     for (int trial = 0; trial < 20; ++trial) {
         const TrialStart a = there->act(input);
         const TrialStart b = here->act(input);
         EXPECT_EQ(a.value, b.value);
         EXPECT_EQ(a.noise, b.noise);
         EXPECT_EQ(a.weight, b.weight);
-        const twd_wide reward = twd_wide_from_double(0.1 * trial - 0.7);
+        const double reward = 0.1 * trial - 0.7;
         EXPECT_EQ(there->learn(reward), here->learn(reward));
     }
     const LearnerState a = there->state(input);
@@ -135,7 +143,7 @@ TEST(ChipAgent, chip_says_the_same_as_this_process)
 TEST(ChipAgent, chips_that_do_not_fit_are_refused)
 {
     const auto hello = [](std::size_t index, std::uint8_t value) {
-        return complaint(setup(), with_word(TWD_REQUEST_HELLO, index, value));
+        return complaint(config(), with_word(TWD_REQUEST_HELLO, index, value));
     };
     EXPECT_EQ(hello(0, 2), "the chip speaks version 2 of the protocol, this program version 1");
     EXPECT_EQ(hello(1, TWD_NUMBERS_FLOAT), "the chip does not compute in fixed point, as this program does");
@@ -146,23 +154,23 @@ TEST(ChipAgent, chips_that_do_not_fit_are_refused)
     const auto longer = [](twd_frame &answer) {
         if (answer.type == (TWD_REQUEST_BEGIN | TWD_ANSWER)) answer.length = 4;
     };
-    EXPECT_EQ(complaint(setup(), longer), "the chip answered with a payload of another build than this program's");
+    EXPECT_EQ(complaint(config(), longer), "the chip answered with a payload of another build than this program's");
 }
 
 // A model that the protocol has no number for is not taken for another.
 TEST(ChipAgent, model_without_a_number_is_refused)
 {
     const twd_model unknown = twd_model_h;
-    AgentSetup other = setup();
+    link::ChipConfig other = config();
     other.controller.model = &unknown;
     const Chip chip;
-    EXPECT_THROW(link::make_chip_agent(chip.connection(), other), std::logic_error);
+    EXPECT_THROW(link::make_configured_chip_agent(chip.connection(), other), std::logic_error);
 }
 
 // What the library on the chip refuses is said in its words.
 TEST(ChipAgent, refusal_of_the_library_is_told)
 {
-    AgentSetup bad = setup();
+    link::ChipConfig bad = config();
     bad.learner.clip = twd_num_from_double(0.7);
     EXPECT_EQ(complaint(bad, {}), std::string("the chip refuses set-up 'paper': ") + twd_error_text(TWD_ERROR_RANGE));
 }

@@ -1,4 +1,5 @@
 #include "../scratch_folder.hpp"
+#include "record/json_file.hpp"
 #include "record/run_json.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ Run some_run()
     run.specification.stepper = "reference";
     run.specification.number = "float";
     run.specification.setup = "mid-a";
-    run.specification.settings = {{"contact", {{"friction", 0.1}}}, {"physics", {{"substeps", 5}}}};
+    run.specification.settings = R"({"contact":{"friction":0.1},"physics":{"substeps":5}})";
     run.command = "twiddle train --out 'a b'";
     return run;
 }
@@ -39,14 +40,19 @@ TEST(RunJson, run_reads_back_as_it_was)
     const ScratchFolder folder;
     TrainingRun run = some_run();
     run.complete = true;
-    run.summary = {{"faults", 0}};
+    run.summary = TrainingSummary{100, 0.125, 500, 2.5, 3};
     write_run(folder.path() / "run.json", run);
     const TrainingRun back = read_run(folder.path() / "run.json");
     EXPECT_EQ(back.specification, run.specification);
     EXPECT_TRUE(back.complete);
     EXPECT_EQ(back.command, run.command);
-    EXPECT_EQ(back.summary, run.summary);
-    EXPECT_TRUE(back.replay.is_null());
+    ASSERT_TRUE(back.summary);
+    EXPECT_EQ(back.summary->first_trials, 100U);
+    EXPECT_EQ(back.summary->mean_rotation_of_first_rad, 0.125);
+    EXPECT_EQ(back.summary->last_trials, 500U);
+    EXPECT_EQ(back.summary->mean_rotation_of_last_rad, 2.5);
+    EXPECT_EQ(back.summary->faults, 3U);
+    EXPECT_FALSE(back.replay);
 }
 
 // Runs that differ in any one field of the specification are different runs; the command is no part of it.
@@ -63,11 +69,14 @@ TEST(RunJson, specification_compares_every_field)
     others[6].stepper = "x";
     others[7].number = "double";
     others[8].setup = "near";
-    others[9].settings["contact"]["friction"] = 0.2;
+    others[9].settings = R"({"contact":{"friction":0.2},"physics":{"substeps":5}})";
     for (const RunSpecification &other : others) {
         EXPECT_NE(a, other);
     }
     EXPECT_EQ(a, some_run().specification);
+    RunSpecification same = a;
+    same.settings = R"({"physics": {"substeps": 5.0}, "contact": {"friction": 0.1}})";
+    EXPECT_EQ(a, same);
 }
 
 // A missing key, or one of another type, is named with the file and what was expected.

@@ -3,7 +3,7 @@
 
 #include "sim/articulated_hand.hpp"
 #include "sim/hand_model.hpp"
-#include "settings/setup.hpp"
+#include "setups.hpp"
 
 #include <random>
 #include <string>
@@ -19,7 +19,7 @@ inline HandModel icub_hand()
 
 inline Setup default_setup(const std::vector<Override> &overrides = {})
 {
-    return load_setup(TWIDDLE_MODELS, "mid-a", overrides);
+    return test::load_setup("mid-a", overrides);
 }
 
 // Angles of a hand's moving joints, in the order of its links, uniform in their ranges.

@@ -3,7 +3,6 @@
 
 #include "fixtures.hpp"
 
-#include "experiment/models.hpp"
 #include "experiment/trial.hpp"
 #include "sim/object.hpp"
 
@@ -23,16 +22,16 @@ inline TrialRunner make_runner(sim::Stepper stepper, const std::string &object, 
                                sim::HandHold hold = sim::HandHold::welded)
 {
     const settings::Setup setup = sim::default_setup({{"physics.substeps", std::to_string(substeps)}});
-    return {stepper, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, object), setup, hold, find_model("cpg-c"),
-            true};
+    return {TrialWorld(stepper, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, object), setup, hold),
+            engine::engine_of_number("float"), "cpg-c", true};
 }
 
-inline Parameters random_parameters(std::mt19937_64 &random, std::size_t count = 12)
+inline engine::Parameters random_parameters(std::mt19937_64 &random, std::size_t count = 12)
 {
     std::uniform_real_distribution<double> uniform(0.001, 0.999);
-    Parameters parameters(count);
-    for (twd_num &p : parameters)
-        p = twd_num_from_double(uniform(random));
+    engine::Parameters parameters(count);
+    for (double &p : parameters)
+        p = uniform(random);
     return parameters;
 }
 
@@ -89,11 +88,11 @@ inline void expect_no_creep(TrialRunner &runner, const std::string &object)
     for (const Press press : {Press{0.75, 0.5, 0, 0.3}, Press{0.9, 0.1, 0, 0.3}, Press{0.75, 0.9, 0, 0.3},
                               Press{0, 0.5, 0.7, 0.5}, Press{0, 0.5, 0.7, 0.8}, Press{0.75, 0.5, 0.7, 0.5}}) {
         // Order: nu, R1..4, C1..4 (FEI, AAI, FET, OT), three lags.
-        Parameters parameters(12, TWD_NUM(0));
-        parameters[5] = twd_num_from_double(press.index);
-        parameters[6] = twd_num_from_double(press.abduction);
-        parameters[7] = twd_num_from_double(press.thumb);
-        parameters[8] = twd_num_from_double(press.opposition);
+        engine::Parameters parameters(12, 0.0);
+        parameters[5] = press.index;
+        parameters[6] = press.abduction;
+        parameters[7] = press.thumb;
+        parameters[8] = press.opposition;
         double settled_rad = 0, force_n = 0, creep_rad = 0;
         runner.run_observed(parameters, [&](const StepSample &sample, const sim::World &world) {
             const sim::Observation seen = world.observe();

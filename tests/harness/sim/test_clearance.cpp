@@ -11,6 +11,8 @@
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include "setups.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +39,7 @@ TEST_P(StraightHand, is_clear_of_all_nine_objects)
     EXPECT_EQ(objects.size(), 9U);
     for (const auto &object : objects) {
         EXPECT_NO_THROW(make_world(Stepper::reference, icub_hand(), read_object(TWIDDLE_MODELS, object),
-                                   load_setup(TWIDDLE_MODELS, setup), hold))
+                                   test::load_setup(setup), hold))
             << object;
     }
 }

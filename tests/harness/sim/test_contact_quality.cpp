@@ -67,7 +67,7 @@ TEST(HandHolds, full_hand_turns_the_object_as_the_welded_one_does)
     std::mt19937_64 random(seed);
     std::vector<double> welded_rad, full_rad;
     for (int i = 0; i < full_sets; i++) {
-        const Parameters parameters = random_parameters(random);
+        const engine::Parameters parameters = random_parameters(random);
         welded_rad.push_back(welded.run(parameters).rotation_rad);
         full_rad.push_back(full.run(parameters).rotation_rad);
     }

@@ -1,7 +1,6 @@
 // A trial depends on its parameters alone: not on the trials before it, nor on whether the world is new.
 #include "fixtures.hpp"
 
-#include "experiment/models.hpp"
 #include "experiment/trial.hpp"
 #include "sim/object.hpp"
 
@@ -13,16 +12,16 @@ namespace twiddle::experiment
 namespace
 {
 
-Parameters random_parameters(std::mt19937_64 &random)
+engine::Parameters random_parameters(std::mt19937_64 &random)
 {
-    Parameters parameters(22);
-    for (twd_num &p : parameters)
-        p = twd_num_from_double(std::uniform_real_distribution<double>(0.01, 0.99)(random));
+    engine::Parameters parameters(22);
+    for (double &p : parameters)
+        p = std::uniform_real_distribution<double>(0.01, 0.99)(random);
     return parameters;
 }
 
 // Every number that the run leaves behind, so that two runs can be compared bit for bit.
-std::vector<double> trace(TrialRunner &runner, const Parameters &parameters)
+std::vector<double> trace(TrialRunner &runner, const engine::Parameters &parameters)
 {
     std::vector<double> numbers;
     const auto result = runner.run_observed(parameters, [&](const StepSample &sample, const sim::World &world) {
@@ -48,14 +47,14 @@ TEST_P(Determinism, a_trial_after_a_reset_equals_the_trial_in_a_fresh_world)
 {
     const sim::HandModel hand = sim::icub_hand();
     const settings::Setup setup = sim::default_setup();
-    const twd_model &model = find_model("cpg-h");
     std::mt19937_64 random(20111);
     for (const std::string &name : sim::object_names(TWIDDLE_MODELS)) {
         const sim::ObjectSpec object = sim::read_object(TWIDDLE_MODELS, name);
         const auto fresh = [&] {
-            return TrialRunner(GetParam(), hand, object, setup, sim::HandHold::welded, model, true);
+            return TrialRunner(TrialWorld(GetParam(), hand, object, setup, sim::HandHold::welded),
+                               engine::engine_of_number(TWIDDLE_NUMBER), "cpg-h", true);
         };
-        const Parameters first = random_parameters(random), second = random_parameters(random);
+        const engine::Parameters first = random_parameters(random), second = random_parameters(random);
         TrialRunner alone_first = fresh(), alone_second = fresh(), forwards = fresh(), backwards = fresh();
         const auto expected_first = trace(alone_first, first), expected_second = trace(alone_second, second);
         EXPECT_EQ(trace(forwards, first), expected_first) << name;
@@ -71,11 +70,12 @@ TEST(FullHand, a_reset_equals_a_rebuild_with_the_full_hand)
     const sim::HandModel hand = sim::icub_hand();
     const sim::ObjectSpec object = sim::read_object(TWIDDLE_MODELS, "small-sphere");
     const auto fresh = [&] {
-        return TrialRunner(sim::Stepper::reference, hand, object, sim::default_setup(), sim::HandHold::full,
-                           find_model("cpg-h"), true);
+        return TrialRunner(
+            TrialWorld(sim::Stepper::reference, hand, object, sim::default_setup(), sim::HandHold::full),
+            engine::engine_of_number(TWIDDLE_NUMBER), "cpg-h", true);
     };
     std::mt19937_64 random(20112);
-    const Parameters first = random_parameters(random), second = random_parameters(random);
+    const engine::Parameters first = random_parameters(random), second = random_parameters(random);
     TrialRunner alone = fresh(), after = fresh();
     const auto expected = trace(alone, second);
     trace(after, first);

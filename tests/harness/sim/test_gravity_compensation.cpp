@@ -2,10 +2,11 @@
 #include "bullet_inverse_dynamics.hpp"
 #include "fixtures.hpp"
 
-#include "experiment/controller_setup.hpp"
-#include "experiment/models.hpp"
+#include "engine/controller_setup.hpp"
 #include "sim/object.hpp"
 #include "sim/world.hpp"
+
+#include "setups.hpp"
 
 #include <gtest/gtest.h>
 
@@ -70,7 +71,7 @@ TEST_P(GravityTorque, equals_bullets_inverse_dynamics)
     const auto [name, finger, held_deg] = GetParam();
     const std::string held = std::to_string(held_deg);
     const settings::Setup setup = sim::default_setup({{"hand.index_distal_deg", held}, {"hand.thumb_distal_deg", held}});
-    const twd_controller_config config = experiment::controller_config(setup, experiment::find_model("cpg-c"), true);
+    const twd_controller_config config = engine::TWD_BUILD_NAMESPACE::controller_config({setup, "cpg-c", true});
     const sim::HandModel model = sim::icub_hand();
     const auto &direction = setup.physics.gravity_direction;
     id::MultiBodyTree tree;
@@ -115,12 +116,12 @@ class GravityHold : public testing::TestWithParam<std::tuple<sim::Stepper, const
 {
   protected:
     GravityHold()
-        : setup_(settings::load_setup(TWIDDLE_MODELS, std::get<1>(GetParam()), {{"object.hinge_x_m", "-0.2"}})),
+        : setup_(test::load_setup(std::get<1>(GetParam()), {{"object.hinge_x_m", "-0.2"}})),
           world_(sim::make_world(std::get<0>(GetParam()), sim::icub_hand(),
                                  sim::read_object(TWIDDLE_MODELS, "small-sphere"), setup_, sim::HandHold::welded))
     {
         const twd_controller_config config =
-            experiment::controller_config(setup_, experiment::find_model("cpg-c"), true);
+            engine::TWD_BUILD_NAMESPACE::controller_config({setup_, "cpg-c", true});
         EXPECT_EQ(twd_controller_init(&controller_, &config), TWD_OK);
     }
 

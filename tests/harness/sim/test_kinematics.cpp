@@ -5,6 +5,8 @@
 #include "sim/object.hpp"
 #include "sim/world.hpp"
 
+#include "setups.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -119,7 +121,7 @@ TEST(Kinematics, all_20_links_of_the_full_hand_stand_where_the_listed_frames_put
 // Expected: the same, with the distal joints at the 20 deg at which set-up mid-b holds them.
 TEST(Kinematics, links_of_the_welded_hand_stand_where_the_listed_frames_put_them)
 {
-    ArticulatedHand hand(sim::icub_hand(), settings::load_setup(TWIDDLE_MODELS, "mid-b").hand, HandHold::welded);
+    ArticulatedHand hand(sim::icub_hand(), test::load_setup("mid-b").hand, HandHold::welded);
     const Posture held_rad = {
         {"index_2", 20 * deg}, {"index_3", 20 * deg}, {"thumb_2", 20 * deg}, {"thumb_3", 20 * deg}};
     EXPECT_LE(largest_error(hand, held_rad), tolerance_m);

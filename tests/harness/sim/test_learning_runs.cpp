@@ -26,7 +26,7 @@ record::RunSpecification specification(std::uint64_t seed, const std::vector<set
     run.trials = trials;
     run.hand = "welded";
     run.stepper = "fast";
-    run.number = TWD_NUMBER_NAME;
+    run.number = "float";
     run.setup = "mid-a";
     run.settings = sim::default_setup(overrides).settings;
     return run;

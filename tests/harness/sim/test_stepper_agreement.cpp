@@ -1,6 +1,8 @@
 // The fast stepper against the reference: the same model, so the same motion.
 #include "random_trials.hpp"
 
+#include "engine/models.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -85,12 +87,12 @@ TEST_P(stepper_agreement, random_trials_have_no_fault)
 {
     constexpr int trials_of_a_model = 556;
     for (const char *model : {"cpg-s", "cpg-m", "cpg-c", "cpg-h"}) {
-        const twd_model &found = find_model(model);
-        TrialRunner runner(sim::Stepper::fast, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, GetParam()),
-                           sim::default_setup(), sim::HandHold::welded, found, true);
+        TrialRunner runner(TrialWorld(sim::Stepper::fast, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, GetParam()),
+                                      sim::default_setup(), sim::HandHold::welded),
+                           engine::engine_of_number("float"), model, true);
         std::mt19937_64 random(seed);
         for (int i = 0; i < trials_of_a_model; i++) {
-            const Parameters parameters = random_parameters(random, twd_model_parameters(&found, true));
+            const engine::Parameters parameters = random_parameters(random, engine::parameter_count(model, true));
             const TrialResult result = runner.run(parameters);
             ASSERT_EQ(result.fault, "") << model << ", trial " << i << ", seed " << seed;
         }
@@ -109,8 +111,9 @@ TEST(stepper_free_motion, is_the_same)
 {
     const settings::Setup setup = sim::default_setup({{"object.hinge_x_m", "-0.2"}});
     const auto angles = [&](sim::Stepper stepper) {
-        TrialRunner runner(stepper, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, "small-sphere"), setup,
-                           sim::HandHold::welded, find_model("cpg-c"), true);
+        TrialRunner runner(TrialWorld(stepper, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, "small-sphere"), setup,
+                                      sim::HandHold::welded),
+                           engine::engine_of_number("float"), "cpg-c", true);
         std::mt19937_64 random(seed);
         std::vector<double> angle_rad;
         for (int i = 0; i < 20; i++) {

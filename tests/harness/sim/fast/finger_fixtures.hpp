@@ -7,6 +7,8 @@
 #include "sim/fast/finger_kinematics.hpp"
 #include "sim/world.hpp"
 
+#include "setups.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +40,7 @@ inline std::string name_of(const testing::TestParamInfo<FingerCase> &info)
 inline Setup setup_with_distal(const std::string &setup, int distal_deg)
 {
     const std::string angle = std::to_string(distal_deg);
-    return load_setup(TWIDDLE_MODELS, setup, {{"hand.index_distal_deg", angle}, {"hand.thumb_distal_deg", angle}});
+    return test::load_setup(setup, {{"hand.index_distal_deg", angle}, {"hand.thumb_distal_deg", angle}});
 }
 
 class BulletFinger

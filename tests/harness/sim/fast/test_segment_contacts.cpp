@@ -4,7 +4,7 @@
 
 #include "sim/object.hpp"
 #include "sim/object_body.hpp"
-#include "settings/setup.hpp"
+#include "setups.hpp"
 
 #include <ccd/ccd.h>
 #include <ccd/vec3.h>
@@ -42,7 +42,7 @@ struct Segment {
 
 ObjectBody body_named(const std::string &object)
 {
-    return object_body(read_object(TWIDDLE_MODELS, object), load_setup(TWIDDLE_MODELS, "mid-a").object);
+    return object_body(read_object(TWIDDLE_MODELS, object), test::load_setup("mid-a").object);
 }
 
 SegmentContacts contacts_of(const RoundedCore &core, const Segment &segment, double reach_m)

@@ -1,4 +1,4 @@
-#include "record/c_text.hpp"
+#include "engine/export/c_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace
 {
 
-using namespace twiddle::record;
+using namespace twiddle::engine;
 
 // By hand: 0.1 x 2^28 = 26843545.6, 9.81 x 2^24 = 164584488.96, 0.3 x 2^20 = 314572.8, 0.002 x 2^34 = 34359738.368;
 // halves away from zero.

@@ -2,7 +2,8 @@
 
 #include "../scratch_folder.hpp"
 #include "experiment/training.hpp"
-#include "settings/setup.hpp"
+#include "record/json_file.hpp"
+#include "setups.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +16,12 @@
 namespace
 {
 
-using namespace twiddle::experiment;
+using namespace twiddle::sweeps;
 using namespace twiddle::test;
 using twiddle::record::Json;
 using twiddle::record::RunSpecification;
 
-const std::filesystem::path models = TWIDDLE_MODELS;
+const SweepFolders folders = {TWIDDLE_MODELS, TWIDDLE_SETUPS};
 
 RunSpecification some_defaults()
 {
@@ -34,12 +35,12 @@ RunSpecification some_defaults()
 
 SweepPlan plan_of(const std::string &name)
 {
-    return read_sweep_manifest(models / "sweeps" / (name + ".toml"), models, some_defaults());
+    return read_sweep_manifest(folders.setups.parent_path() / "sweeps" / (name + ".toml"), folders, some_defaults());
 }
 
 SweepPlan plan_of_text(const ScratchFolder &folder, const std::string &text)
 {
-    return read_sweep_manifest(folder.write("mine.toml", text), models, some_defaults());
+    return read_sweep_manifest(folder.write("mine.toml", text), folders, some_defaults());
 }
 
 std::set<std::string> folders_of(const SweepPlan &plan)
@@ -108,7 +109,7 @@ TEST(SweepManifest, settings_are_those_of_the_set_up_and_the_variant)
     const RunSpecification &plain = silent.runs.at(0).specification;
     EXPECT_EQ(plain.setup, "mid-b");
     EXPECT_EQ(plain.stepper, "reference");
-    EXPECT_EQ(plain.settings, twiddle::settings::load_setup(models, "mid-b").settings);
+    EXPECT_EQ(plain.settings, twiddle::test::load_setup("mid-b").settings);
 
     const SweepPlan told = plan_of_text(
         folder, "setup = \"near\"\nstepper = \"fast\"\n" + one_block +
@@ -116,9 +117,9 @@ TEST(SweepManifest, settings_are_those_of_the_set_up_and_the_variant)
                     "set = { \"contact.friction\" = 0.25, \"oscillators.phase_start\" = \"zero\" }\n");
     ASSERT_EQ(told.runs.size(), 5U);
     EXPECT_EQ(told.runs[0].specification.stepper, "fast");
-    EXPECT_EQ(told.runs[0].specification.settings, twiddle::settings::load_setup(models, "near").settings);
+    EXPECT_EQ(told.runs[0].specification.settings, twiddle::test::load_setup("near").settings);
     const auto changed =
-        twiddle::settings::load_setup(models, "near", {{"contact.friction", "0.25"}, {"oscillators.phase_start", "zero"}});
+        twiddle::test::load_setup("near", {{"contact.friction", "0.25"}, {"oscillators.phase_start", "zero"}});
     EXPECT_EQ(told.runs[4].specification.settings, changed.settings);
 }
 
@@ -126,16 +127,16 @@ TEST(SweepManifest, settings_are_those_of_the_set_up_and_the_variant)
 TEST(SweepManifest, chosen_set_up_takes_the_manifests_place)
 {
     const ScratchFolder folder;
-    const auto path = folder.write("mine.toml", "setup = \"mid-a\"\n" + one_block +
+    const auto path = folder.write("mine.toml", "setup = \"" + mid_a_file() + "\"\n" + one_block +
                                                     "[[runs]]\nobjects = [\"small-cube\"]\nmodels = [\"cpg-c\"]\n"
                                                     "seeds = 1\nvariant = \"soft\"\n"
                                                     "set = { \"contact.friction\" = 0.25 }\n");
-    const SweepPlan plan = read_sweep_manifest(path, models, some_defaults(), "near");
+    const SweepPlan plan = read_sweep_manifest(path, folders, some_defaults(), "near");
     EXPECT_EQ(plan.common.setup, "near");
-    EXPECT_EQ(plan.runs.at(0).specification.settings, twiddle::settings::load_setup(models, "near").settings);
+    EXPECT_EQ(plan.runs.at(0).specification.settings, twiddle::test::load_setup("near").settings);
     EXPECT_EQ(plan.runs.at(1).specification.settings,
-              twiddle::settings::load_setup(models, "near", {{"contact.friction", "0.25"}}).settings);
-    const std::string error = error_of([&] { read_sweep_manifest(path, models, some_defaults(), "nowhere"); });
+              twiddle::test::load_setup("near", {{"contact.friction", "0.25"}}).settings);
+    const std::string error = error_of([&] { read_sweep_manifest(path, folders, some_defaults(), "nowhere"); });
     EXPECT_TRUE(is_one_sentence_with(error, {"there is no set-up \"nowhere\"", "near"})) << error;
 }
 
@@ -146,7 +147,7 @@ TEST(SweepManifest, set_up_file_is_found_beside_the_manifest)
     folder.write("slippery.toml", "[contact]\nfriction = 0.125\n");
     const SweepPlan plan = plan_of_text(folder, "setup = \"slippery.toml\"\n" + one_block);
     EXPECT_EQ(plan.common.setup, "slippery");
-    EXPECT_EQ(plan.common.settings["contact"]["friction"], 0.125);
+    EXPECT_EQ(Json::parse(plan.common.settings)["contact"]["friction"], 0.125);
 }
 
 // A run of the plan can be trained.
@@ -155,7 +156,7 @@ TEST(SweepManifest, planned_run_can_be_trained)
     const ScratchFolder folder;
     RunSpecification run = plan_of("smoke").runs.at(0).specification;
     run.number = TWD_NUMBER_NAME;
-    Training training(run, models);
+    twiddle::experiment::Training training(run, TWIDDLE_MODELS);
     EXPECT_EQ(training.run_trial().trial, 1U);
 }
 
@@ -209,7 +210,7 @@ TEST(SweepManifest, mistakes_are_named_with_file_and_line)
         const std::string error = error_of([&, &manifest = text] { plan_of_text(folder, manifest); });
         EXPECT_TRUE(is_one_sentence_with(error, {"mine.toml" + line, expected})) << text << "-> " << error;
     }
-    const std::string error = error_of([&] { read_sweep_manifest("/nowhere/a.toml", models, some_defaults()); });
+    const std::string error = error_of([&] { read_sweep_manifest("/nowhere/a.toml", folders, some_defaults()); });
     EXPECT_TRUE(is_one_sentence_with(error, {"/nowhere/a.toml", "no such file"})) << error;
 }
 

@@ -4,8 +4,10 @@
 #include "sim/hand_model.hpp"
 #include "settings/joints.hpp"
 #include "settings/setting_table.hpp"
-#include "settings/setup.hpp"
+#include "setups.hpp"
 #include "settings/text_file.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
 
@@ -21,7 +23,6 @@ namespace twiddle
 namespace
 {
 
-using settings::load_setup;
 
 // What is known of each set-up; the lengths in m, angles in deg, torques in N m, masses in kg.
 struct Expected {
@@ -44,7 +45,7 @@ class NamedSetup : public testing::TestWithParam<Expected>
 TEST_P(NamedSetup, has_its_values)
 {
     const Expected &e = GetParam();
-    const settings::Setup s = load_setup(TWIDDLE_MODELS, e.name);
+    const settings::Setup s = test::load_setup(e.name);
     EXPECT_EQ(s.name, e.name);
     EXPECT_EQ(s.object.hinge_x_m, e.x);
     EXPECT_EQ(s.object.hinge_y_m, e.y);
@@ -87,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
 // Expected: gravity along the straight fingers, 15 deg off -x of `hand`; oscillators and learner as the paper has them.
 TEST(setup, shared_settings_have_their_values)
 {
-    const settings::Setup s = load_setup(TWIDDLE_MODELS, "mid-a");
+    const settings::Setup s = test::load_setup("mid-a");
     EXPECT_NEAR(s.physics.gravity_direction[0], -std::cos(M_PI / 12), 1e-15);
     EXPECT_NEAR(s.physics.gravity_direction[2], std::sin(M_PI / 12), 1e-15);
     EXPECT_EQ(s.object.cube_size, settings::CubeSize::whole_diagonal);
@@ -134,7 +135,7 @@ double inertia_about_joint(const sim::HandModel &hand, int first_link, const std
 // joints in the middle of their ranges, within a per cent.
 TEST(setup, stable_pd_law_knows_the_hands_inertias)
 {
-    const settings::Setup s = load_setup(TWIDDLE_MODELS, "mid-a");
+    const settings::Setup s = test::load_setup("mid-a");
     const sim::HandModel hand = sim::read_hand_model(std::string(TWIDDLE_MODELS) + "/icub_right_hand.urdf");
     std::vector<double> angle_rad(hand.links.size(), 0);
     for (const char *joint : joint_urdf_names) {
@@ -150,20 +151,19 @@ TEST(setup, stable_pd_law_knows_the_hands_inertias)
 
 TEST(setup, every_file_loads_and_common_is_no_setup)
 {
-    const auto names = settings::setup_names(TWIDDLE_MODELS);
+    const auto names = settings::setup_names(TWIDDLE_SETUPS);
     EXPECT_GE(names.size(), 3u);
     for (const auto &name : names) {
         EXPECT_NE(name, "common");
-        EXPECT_NO_THROW(load_setup(TWIDDLE_MODELS, name)) << name;
+        EXPECT_NO_THROW(test::load_setup(name)) << name;
     }
 }
 
 // The merged settings are all there is to a set-up: read back from JSON text they give the same settings.
 TEST(setup, travels_through_json)
 {
-    const settings::Setup before = load_setup(TWIDDLE_MODELS, "mid-b", {{"object.mass_kg", "0.2"}});
-    const auto text = before.settings.dump();
-    const settings::Setup after = settings::setup_from_settings(nlohmann::json::parse(text), "mid-b", "run.json");
+    const settings::Setup before = test::load_setup("mid-b", {{"object.mass_kg", "0.2"}});
+    const settings::Setup after = settings::setup_from_settings(before.settings, "mid-b", "run.json");
     EXPECT_EQ(after.settings, before.settings);
     EXPECT_EQ(after.object.mass_kg, 0.2);
     EXPECT_EQ(after.object.cylinder_height_m, 0.05);
@@ -212,11 +212,11 @@ std::string bytes_of(const settings::Setup &setup)
 // Expected: changing one setting changes bytes of the Setup that no other setting changes.
 TEST(setup, every_setting_is_stored_in_a_place_of_its_own)
 {
-    settings::Setup setup = load_setup(TWIDDLE_MODELS, "mid-a");
+    settings::Setup setup = test::load_setup("mid-a");
     const std::string before = bytes_of(setup);
     std::set<std::size_t> taken;
     for (const auto &setting : settings::setting_table()) {
-        const auto &value = setup.settings.at(setting.section).at(setting.key);
+        const auto value = nlohmann::json::parse(setup.settings).at(setting.section).at(setting.key);
         ASSERT_TRUE(setting.store(other_value(value), setup)) << setting.key;
         const std::string after = bytes_of(setup);
         EXPECT_NE(after, before) << setting.key;
@@ -231,7 +231,7 @@ TEST(setup, every_setting_is_stored_in_a_place_of_its_own)
 
 TEST(setup, overrides_take_toml_values_and_bare_words)
 {
-    const settings::Setup s = load_setup(TWIDDLE_MODELS, "mid-a",
+    const settings::Setup s = test::load_setup("mid-a",
                                     {{"object.mass_kg", "0.2"},
                                      {"object.cube_size", "half-diagonal"},
                                      {"oscillators.phase_start", "\"zero\""},
@@ -284,7 +284,7 @@ TEST(setup, a_wrong_override_is_refused_in_one_sentence_that_names_it)
     };
     for (const auto &[name, value, reason] : cases) {
         const std::string error = test::error_of([&, n = name, v = value] {
-            load_setup(TWIDDLE_MODELS, "mid-a", {{n, v}});
+            test::load_setup("mid-a", {{n, v}});
         });
         EXPECT_TRUE(test::is_one_sentence_with(error, {"--set", reason})) << name << "=" << value << ": " << error;
     }
@@ -296,7 +296,7 @@ TEST(setup, settings_that_contradict_each_other_are_refused)
                                                                 {"oscillators.centre_lower", "1"},
                                                                 {"learner.noise_end", "0.9"}}) {
         const std::string error = test::error_of([&, n = name, v = value] {
-            load_setup(TWIDDLE_MODELS, "mid-a", {{n, v}});
+            test::load_setup("mid-a", {{n, v}});
         });
         const std::string key = name.substr(name.find('.') + 1);
         EXPECT_TRUE(test::is_one_sentence_with(error, {"mid-a.toml with --set", key})) << error;
@@ -319,10 +319,10 @@ TEST(setup, a_wrong_file_is_refused_in_one_sentence_that_names_it)
     };
     for (const auto &[text, reason] : cases) {
         const auto path = folder.write("own.toml", text);
-        const std::string error = test::error_of([&, p = path] { load_setup(TWIDDLE_MODELS, p.string()); });
+        const std::string error = test::error_of([&, p = path] { test::load_setup(p.string()); });
         EXPECT_TRUE(test::is_one_sentence_with(error, {reason})) << text << error;
     }
-    const settings::Setup own = load_setup(TWIDDLE_MODELS, folder.write("own.toml", "[object]\nmass_kg = 1\n").string());
+    const settings::Setup own = test::load_setup(folder.write("own.toml", "[object]\nmass_kg = 1\n").string());
     EXPECT_EQ(own.name, "own");
     EXPECT_EQ(own.object.mass_kg, 1);
 }
@@ -330,34 +330,34 @@ TEST(setup, a_wrong_file_is_refused_in_one_sentence_that_names_it)
 TEST(setup, an_unknown_name_lists_the_known_ones)
 {
     for (const char *name : {"far", "common", ""}) {
-        const std::string error = test::error_of([&] { load_setup(TWIDDLE_MODELS, name); });
-        EXPECT_TRUE(test::is_one_sentence_with(error, {std::string("\"") + name + "\"", "mid-a, mid-b, near"}))
+        const std::string error = test::error_of([&] { test::load_setup(name); });
+        EXPECT_TRUE(test::is_one_sentence_with(error, {std::string("\"") + name + "\"", "mid-b, near, paper"}))
             << error;
     }
-    const std::string error = test::error_of([] { load_setup(TWIDDLE_MODELS, "/nowhere/far.toml"); });
+    const std::string error = test::error_of([] { test::load_setup("/nowhere/far.toml"); });
     EXPECT_TRUE(test::is_one_sentence_with(error, {"/nowhere/far.toml", "no such file"})) << error;
 }
 
 // run.json is checked as strictly as a file; expected: the named source and the missing or wrong setting.
 TEST(setup, incomplete_settings_are_refused)
 {
-    const auto whole = load_setup(TWIDDLE_MODELS, "mid-a").settings;
+    const auto whole = test::load_setup("mid-a").settings;
     for (const auto &setting : settings::setting_table()) {
-        auto settings = whole;
+        auto settings = nlohmann::json::parse(whole);
         settings[setting.section].erase(setting.key);
-        const std::string error = test::error_of([&] { settings::setup_from_settings(settings, "mid-a", "run.json"); });
+        const std::string error = test::error_of([&] { settings::setup_from_settings(settings.dump(), "mid-a", "run.json"); });
         const std::string title = "[" + setting.section + "] " + setting.key;
         EXPECT_TRUE(test::is_one_sentence_with(error, {"run.json: " + title + " is missing; expected"})) << error;
     }
     const std::string error =
-        test::error_of([] { settings::setup_from_settings(nlohmann::json::array(), "mid-a", "run.json"); });
+        test::error_of([] { settings::setup_from_settings("[]", "mid-a", "run.json"); });
     EXPECT_TRUE(test::is_one_sentence_with(error, {"run.json:", "no settings"})) << error;
 }
 
 // Each setting in common.toml, and no other, stands below a comment of its own or of its group.
 TEST(setup, every_default_stands_below_a_comment)
 {
-    std::istringstream file(settings::read_text_file(std::string(TWIDDLE_MODELS) + "/setups/common.toml"));
+    std::istringstream file(settings::read_text_file(TWIDDLE_SETUPS "/common.toml"));
     bool explained = false;
     std::size_t settings = 0;
     for (std::string line; std::getline(file, line);) {

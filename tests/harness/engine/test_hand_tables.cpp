@@ -1,7 +1,7 @@
 // The controller's generated tables: current, and right.
 #include "csv_frames.hpp"
 
-#include "sim/hand_tables/hand_tables.hpp"
+#include "engine/export/hand_tables.hpp"
 #include "settings/text_file.hpp"
 
 #include <twiddle/convert.h>
@@ -23,7 +23,7 @@ constexpr double half_step = std::is_floating_point_v<twd_num> ? 0 : 1.9e-9;
 TEST(hand_tables, current)
 {
     const auto hand = sim::read_hand_model(std::string(TWIDDLE_MODELS) + "/icub_right_hand.urdf");
-    EXPECT_EQ(sim::hand_tables(hand), settings::read_text_file(TWIDDLE_HAND_TABLES));
+    EXPECT_EQ(engine::hand_tables(hand), settings::read_text_file(TWIDDLE_HAND_TABLES));
 }
 
 void expect_chain(const twd_chain &chain, const std::string &finger)

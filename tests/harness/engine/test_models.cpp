@@ -1,4 +1,7 @@
-#include "experiment/models.hpp"
+#include "engine/models.hpp"
+
+#include "engine/control_loop.hpp"
+#include "engine/library_models.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +10,8 @@
 namespace
 {
 
-using namespace twiddle::experiment;
+using namespace twiddle::engine;
+using namespace twiddle::engine::TWD_BUILD_NAMESPACE;
 
 // Every parameter has one name, and there are as many as Ciancio et al. 2011 count: 2, 5, 12, 22 with centre; 1, 3, 8, 15 without.
 TEST(Models, parameters_are_as_many_as_the_paper_counts)
@@ -18,8 +22,8 @@ TEST(Models, parameters_are_as_many_as_the_paper_counts)
     const std::vector<std::size_t> without = {1, 3, 8, 15};
     for (std::size_t i = 0; i < names.size(); ++i) {
         const twd_model &model = find_model(names[i]);
-        EXPECT_EQ(parameter_names(model, true).size(), with[i]);
-        EXPECT_EQ(parameter_names(model, false).size(), without[i]);
+        EXPECT_EQ(parameter_names(names[i], true).size(), with[i]);
+        EXPECT_EQ(parameter_names(names[i], false).size(), without[i]);
         EXPECT_EQ(twd_model_parameters(&model, true), with[i]);
         EXPECT_EQ(twd_model_parameters(&model, false), without[i]);
     }
@@ -34,8 +38,8 @@ TEST(Models, parameter_names_follow_the_stated_order)
         "cpg-c.phase-lag-1-3", "cpg-c.phase-lag-3-4", "cpg-m.amplitude-1", "cpg-m.amplitude-2", "cpg-m.centre-1",
         "cpg-m.centre-2",      "cpg-m.phase-lag-1-2", "cpg-s.amplitude-1", "cpg-s.centre-1",    "selector.cpg-c",
         "selector.cpg-m",      "selector.cpg-s"};
-    EXPECT_EQ(parameter_names(find_model("cpg-h"), true), expected);
-    EXPECT_EQ(parameter_names(find_model("cpg-s"), false), (std::vector<std::string>{"cpg-s.amplitude-1"}));
+    EXPECT_EQ(parameter_names("cpg-h", true), expected);
+    EXPECT_EQ(parameter_names("cpg-s", false), (std::vector<std::string>{"cpg-s.amplitude-1"}));
 }
 
 // An unknown model's error lists the known ones.

@@ -2,16 +2,18 @@
 // memory.
 #include "exported.h"
 
-#include "experiment/controller_setup.hpp"
-#include "experiment/models.hpp"
-#include "experiment/number.hpp"
+#include "engine/controller_setup.hpp"
+#include "engine/library_models.hpp"
 #include "record/csv_columns.hpp"
 #include "record/policy_json.hpp"
 #include "record/run_json.hpp"
 #include "settings/joints.hpp"
 
+#include <twiddle/convert.h>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <string>
@@ -21,7 +23,8 @@ namespace
 {
 
 using namespace twiddle;
-using namespace twiddle::experiment;
+using namespace twiddle::engine;
+using namespace twiddle::engine::TWD_BUILD_NAMESPACE;
 
 const std::filesystem::path runs = TWIDDLE_RUNS;
 
@@ -90,7 +93,7 @@ TEST(Export, controller_is_the_runs)
         SCOPED_TRACE(run.folder);
         const record::RunSpecification specification = specification_of(run);
         const twd_controller_config theirs =
-            controller_config(setup_of(specification), find_model(specification.model), specification.centre);
+            controller_config({setup_of(specification), specification.model, specification.centre});
         twd_controller_config ours{};
         ASSERT_EQ(twd_setup_config(&run.skill->setup, &ours), TWD_OK);
         EXPECT_EQ(ours.model, theirs.model);
@@ -130,32 +133,43 @@ TEST(Export, skill_moves_as_the_replay)
     }
 }
 
-// The agent as it is after the run's trials, from its seed and the rotations that it was rewarded for.
-twd_learner trained_again(const exported &run, const LearnerInput &input)
+// The library's numbers of `values`.
+std::vector<twd_num> numbers(const std::vector<double> &values)
+{
+    std::vector<twd_num> numbers(values.size());
+    std::transform(values.begin(), values.end(), numbers.begin(), twd_num_from_double);
+    return numbers;
+}
+
+// The learner as it is after the run's trials, from its seed and the rotations that it was rewarded for.
+twd_learner trained_again(const exported &run, const std::vector<twd_num> &input)
 {
     const record::RunSpecification specification = specification_of(run);
     const settings::LearnerSetup learner = setup_of(specification).learner;
-    const twd_learner_config config = learner_config(learner, find_model(specification.model), specification.centre,
-                                                     specification.trials, specification.seed);
-    twd_learner agent{};
-    EXPECT_EQ(twd_learner_init(&agent, &config), TWD_OK);
+    const twd_learner_config config =
+        learner_config({{setup_of(specification), specification.model, specification.centre},
+                        specification.trials,
+                        specification.seed});
+    twd_learner trained{};
+    EXPECT_EQ(twd_learner_init(&trained, &config), TWD_OK);
     const auto columns = record::read_csv_columns(runs / run.folder / "trials.csv", {"rotation_rad"});
     for (const double rotation_rad : columns[0]) {
         std::array<twd_num, TWD_MAX_UNITS> parameter{};
-        twd_learner_act(&agent, input.data(), parameter.data());
-        (void)twd_learner_learn(&agent, twd_wide_from_double(rotation_rad * learner.reward_per_rad));
+        twd_learner_act(&trained, input.data(), parameter.data());
+        (void)twd_learner_learn(&trained, twd_wide_from_double(rotation_rad * learner.reward_per_rad));
     }
-    return agent;
+    return trained;
 }
 
-// An agent that is restored from the constants draws, for 50 more trials, to the bit what the run's own would have.
+// A learner that is restored from the constants draws, for 50 more trials, to the bit what the run's own would have.
 TEST(Export, learner_goes_on_as_the_runs)
 {
     for (const exported &run : own_runs()) {
         SCOPED_TRACE(run.folder);
         const record::RunSpecification specification = specification_of(run);
         const settings::LearnerSetup learner = setup_of(specification).learner;
-        const LearnerInput input = learner_input(sim::read_object(TWIDDLE_MODELS, specification.object), learner);
+        const std::vector<twd_num> input =
+            numbers(learner_input(sim::read_object(TWIDDLE_MODELS, specification.object), learner));
         twd_learner theirs = trained_again(run, input);
         twd_learner ours{};
         ASSERT_EQ(twd_learner_restore(&ours, run.learner), TWD_OK);
@@ -182,12 +196,12 @@ TEST(Export, runs_of_other_number_types_are_taken)
         const record::Policy policy = record::read_policy(runs / run.folder / "policy.json");
         twd_controller controller{};
         ASSERT_EQ(twd_skill_start(run.skill, &controller), TWD_OK);
-        twd_learner agent{};
-        ASSERT_EQ(twd_learner_restore(&agent, run.learner), TWD_OK);
-        EXPECT_TRUE(same(agent.random.state, policy.random_state.data(), 4));
-        EXPECT_EQ(agent.trial, policy.trials);
+        twd_learner learner{};
+        ASSERT_EQ(twd_learner_restore(&learner, run.learner), TWD_OK);
+        EXPECT_TRUE(same(learner.random.state, policy.random_state.data(), 4));
+        EXPECT_EQ(learner.trial, policy.trials);
         std::array<twd_num, TWD_MAX_UNITS> parameter{};
-        twd_learner_policy(&agent, run.learner->input, parameter.data());
+        twd_learner_policy(&learner, run.learner->input, parameter.data());
         ASSERT_EQ(run.skill->parameters, policy.parameters.size());
         for (std::size_t i = 0; i < policy.parameters.size(); ++i) {
             EXPECT_NEAR(twd_num_to_double(run.skill->parameter[i]), policy.parameters[i].second, 6e-8) << i;
