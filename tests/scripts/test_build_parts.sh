@@ -89,6 +89,12 @@ tests_added_later_compile_nothing_of_the_program_again)
     configure tests
     [[ ! -s $work/log ]] || refuse "configures again what is there"
     ;;
+program_takes_at_most_190_compiles)
+    configure || refuse "the program is not configured"
+    steps_of_the_program
+    compiles=$(grep -c ' Building C\(XX\)\{0,1\} object ' "$work/steps")
+    ((compiles > 0 && compiles <= 190)) || refuse "$compiles compiles"
+    ;;
 targets_ask_for_their_own_packages)
     expect_groups run run paper calibrate confirm program
     expect_groups "run test firmware" test
