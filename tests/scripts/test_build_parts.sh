@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# test_build_parts.sh SOURCE_DIR CLAIM: what the program, the tests and the other parts ask for and build; nothing is compiled.
+# test_build_parts.sh SOURCE_DIR CLAIM: what the program, the tests and the other parts ask for and build; nothing is
+# compiled.
 set -euo pipefail
 
 source=$1
