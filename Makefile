@@ -12,7 +12,7 @@ PREFIX ?= /usr/local
 
 .DEFAULT_GOAL := help
 .PHONY: help run test accuracy bench bench-peers bench-firmware performance plots hand-tables example-policy firmware
-.PHONY: peers program build sanitize format lint lint-format lint-tidy analyze install clean gnuplot
+.PHONY: peers program build sanitize format lint lint-format lint-rooms lint-tidy analyze install clean gnuplot
 
 # From left to right, whatever -j says: first the packages, then one build at a time, which takes all cores itself.
 .NOTPARALLEL:
@@ -211,10 +211,15 @@ list = git ls-files --cached --others --exclude-standard --deduplicate -z --
 format: deps-lint ## format all C and C++ sources
 	$(list) '*.c' '*.h' '*.cpp' '*.hpp' | xargs -0 clang-format -i
 
-lint: deps-run-test-firmware-lint lint-format lint-tidy ## check the format, and look for mistakes with clang-tidy
+lint: deps-run-test-firmware-lint lint-format lint-rooms lint-tidy ## check the format and who names the C libraries, and look for mistakes with clang-tidy
 
 lint-format: deps-lint
 	$(list) '*.c' '*.h' '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run -Werror
+
+# Which number type the C libraries have, and how their functions are called, is known in two rooms of the harness alone.
+lint-rooms:
+	@others=$$(git grep -lE 'twd_|TWD_' -- harness | grep -vE '^harness/(engine|link)/'); [ -z "$$others" ] || \
+	{ echo "make: only harness/engine and harness/link may name the C libraries' functions, not:" $$others >&2; exit 1; }
 
 LINT := $(BUILD)/lint
 COMMANDS := $(LINT)/compile_commands.json

@@ -1,4 +1,5 @@
-# One precompiled header for all C++ test programs: GoogleTest, JSON and the standard headers take half of what they compile.
+# One precompiled header for all C++ test programs: GoogleTest, JSON and the standard headers take half of what they
+# compile.
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp CONTENT "")
 add_library(twiddle_gtest_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp)
 target_link_libraries(twiddle_gtest_headers PRIVATE GTest::gtest nlohmann_json::nlohmann_json)
@@ -10,8 +11,9 @@ target_precompile_headers(twiddle_gtest_headers PRIVATE
 set(TWIDDLE_GTEST_OPTIONS $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release>>:-Og>)
 target_compile_options(twiddle_gtest_headers PRIVATE ${TWIDDLE_GTEST_OPTIONS})
 
-# twiddle_gtest_program(TARGET SOURCES... LIBRARIES... PREFIX TEXT. SUFFIX .NUMBER PROPERTIES...): a GoogleTest program, whose tests
-# become ctest's one by one, named with prefix and suffix. They are looked up when ctest runs. Helpers in tests/harness are found by name.
+# twiddle_gtest_program(TARGET SOURCES... LIBRARIES... PREFIX TEXT. SUFFIX .NUMBER PROPERTIES...): a GoogleTest program,
+# whose tests become ctest's one by one, named with prefix and suffix. They are looked up when ctest runs. Helpers in
+# tests/harness are found by name.
 function(twiddle_gtest_program target)
   cmake_parse_arguments(ARG "" "PREFIX;SUFFIX" "SOURCES;LIBRARIES;PROPERTIES" ${ARGN})
   add_executable(${target} ${ARG_SOURCES})

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# test_build_parts.sh SOURCE_DIR CLAIM: what the program, the tests and the other parts ask for and build; nothing is compiled.
+# test_build_parts.sh SOURCE_DIR CLAIM: what the program, the tests and the other parts ask for and build; nothing is
+# compiled.
 set -euo pipefail
 
 source=$1
@@ -88,6 +89,12 @@ tests_added_later_compile_nothing_of_the_program_again)
     ninja -C "$build" -t query tests >/dev/null || refuse "there is no target 'tests'"
     configure tests
     [[ ! -s $work/log ]] || refuse "configures again what is there"
+    ;;
+program_takes_at_most_190_compiles)
+    configure || refuse "the program is not configured"
+    steps_of_the_program
+    compiles=$(grep -c ' Building C\(XX\)\{0,1\} object ' "$work/steps")
+    ((compiles > 0 && compiles <= 190)) || refuse "$compiles compiles"
     ;;
 targets_ask_for_their_own_packages)
     expect_groups run run paper calibrate confirm program
