@@ -12,7 +12,7 @@ namespace twiddle::sim
 namespace
 {
 
-constexpr double tolerance = 1e-9; // m and dimensionless: well above what decimal numbers in a file lose
+constexpr double frame_tolerance = 1e-9; // m and dimensionless: well above what decimal numbers in a file lose
 
 // Where an error was found.
 struct Place {
@@ -37,7 +37,7 @@ btMatrix3x3 matrix_of(const urdf::Rotation &rotation)
 
 bool near(const btVector3 &a, const btVector3 &b)
 {
-    return (a - b).length() <= tolerance;
+    return (a - b).length() <= frame_tolerance;
 }
 
 void read_joint(const Place &place, const urdf::Joint &joint, HandLink &link)
@@ -99,8 +99,8 @@ void read_capsule(const Place &place, const urdf::Link &source, HandLink &link)
     const bool along_x = near(axis, btVector3(1, 0, 0)) || near(axis, btVector3(-1, 0, 0));
     const bool centred = near(vector_of(cylinder_pose.position), btVector3(cylinder->length / 2, 0, 0));
     const bool ended = near(ends[0], btVector3(0, 0, 0)) && near(ends[1], btVector3(cylinder->length, 0, 0));
-    const bool round =
-        std::abs(radii[0] - cylinder->radius) <= tolerance && std::abs(radii[1] - cylinder->radius) <= tolerance;
+    const bool round = std::abs(radii[0] - cylinder->radius) <= frame_tolerance &&
+                       std::abs(radii[1] - cylinder->radius) <= frame_tolerance;
     if (!(cylinder->length > 0 && cylinder->radius > 0))
         place.fail("has a <collision> shape without length or radius" + expected);
     if (!along_x || !centred || !ended) place.fail("has <collision> parts that do not meet" + expected);
