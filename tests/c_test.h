@@ -1,8 +1,8 @@
-/* c_test.h: what all C tests share: cmocka with the headers it asks for, values by number build, comparisons in double precision,
- * and a seeded generator that is not the library's.
+/* c_test.h: what all C tests share: cmocka with the headers it asks for, values by number build, comparisons in double
+ * precision, and a seeded generator that is not the library's.
  *
- * The tests run on chips as well: they print by cmocka alone, keep large objects static, use less than 4 KiB of stack, and
- * know an int of 16 bits and a double of 24 (AVR). */
+ * The tests run on chips as well: they print by cmocka alone, keep large objects static, use less than 4 KiB of stack,
+ * and know an int of 16 bits and a double of 24 (AVR). */
 #ifndef TWIDDLE_C_TEST_H
 #define TWIDDLE_C_TEST_H
 
@@ -34,7 +34,8 @@
 #define WIDE_STEP (1.0 / 16777216.0) /* twd_wide, 2^-24 */
 #define RATE_STEP (1.0 / 1048576.0)  /* twd_rate, 2^-20 */
 
-/* What the expected values themselves err by, for each unit of size: nothing to speak of, but where double has 24 bits. */
+/* What the expected values themselves err by, for each unit of size: nothing to speak of, but where double has 24
+ * bits. */
 #if DBL_MANT_DIG >= 53
 #define REFERENCE_ERROR 0.0
 #else

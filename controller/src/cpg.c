@@ -4,7 +4,8 @@
 
 #include "checks.h"
 
-/* A coupling pulls by at most R = 0.5 rad/s, the extrapolation at most doubles the sum, and a rate must stay below 16 rad/s. */
+/* A coupling pulls by at most R = 0.5 rad/s, the extrapolation at most doubles the sum, and a rate must stay below 16
+ * rad/s. */
 #if defined(TWD_NUMBER_FIXED) && TWD_MAX_COUPLINGS > 15
 #error "TWD_MAX_COUPLINGS is at most 15 in the fixed build"
 #endif

@@ -24,16 +24,20 @@ enum twd_agent_phase {
 /* The chip's end. */
 struct twd_agent_server {
     enum twd_agent_phase phase;
-    struct twd_controller_config controller_config; /* as far as it has come */
+    /* As far as it has come. */
+    struct twd_controller_config controller_config;
     struct twd_learner_config learner_config;
     struct twd_controller controller;
     struct twd_learner learner;
-    twd_num desired_rad[TWD_MAX_JOINTS]; /* of the last tick */
-    int32_t library_error;               /* enum twd_error of the last refusal, as a signed number */
+    /* Of the last tick. */
+    twd_num desired_rad[TWD_MAX_JOINTS];
+    /* enum twd_error of the last refusal, as a signed number. */
+    int32_t library_error;
     struct twd_frame_reader reader;
     struct twd_frame request;
     struct twd_frame answer;
-    uint8_t bytes[TWD_FRAME_MAX_SIZE]; /* the answer, as it goes out */
+    /* The answer, as it goes out. */
+    uint8_t bytes[TWD_FRAME_MAX_SIZE];
 };
 
 /* A byte link. `context` is handed on to both functions. */

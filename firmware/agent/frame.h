@@ -32,7 +32,8 @@ extern "C" {
 struct twd_frame {
     uint8_t type;
     uint8_t sequence;
-    uint16_t length; /* of the payload, bytes; at most TWD_FRAME_MAX_PAYLOAD */
+    /* Of the payload, bytes; at most TWD_FRAME_MAX_PAYLOAD. */
+    uint16_t length;
     uint8_t payload[TWD_FRAME_MAX_PAYLOAD];
 };
 
@@ -44,7 +45,8 @@ size_t twd_frame_encode(const struct twd_frame *frame, uint8_t *bytes);
 
 /* Bytes that have arrived and are not yet frames. Zero it to start. */
 struct twd_frame_reader {
-    size_t count; /* bytes in `buffer` */
+    /* Bytes in `buffer`. */
+    size_t count;
     uint8_t buffer[TWD_FRAME_MAX_SIZE];
 };
 

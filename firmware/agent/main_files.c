@@ -1,5 +1,6 @@
-/* main_files.c: a board whose agent is driven over two files of the machine that runs the emulator or debugger, as a rule FIFOs:
- * `to-chip` and `from-chip` in the folder where it was started. `twiddle train --target BOARD` makes them. */
+/* main_files.c: a board whose agent is driven over two files of the machine that runs the emulator or debugger, as a
+ * rule FIFOs: `to-chip` and `from-chip` in the folder where it was started. `twiddle train --target BOARD` makes
+ * them. */
 #include "agent/agent_server.h"
 #include "board.h"
 

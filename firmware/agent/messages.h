@@ -1,8 +1,8 @@
 /* messages.h: what the frames between a chip and the computer that drives it say (docs/PROTOCOL.md).
  *
  * The computer asks, the chip answers each request once; nobody speaks unasked. A payload is a row of 32-bit words, low
- * byte first: whole numbers, and the library's numbers as the chip's build holds them (enum twd_numbers). transfer.h writes
- * and reads them. */
+ * byte first: whole numbers, and the library's numbers as the chip's build holds them (enum twd_numbers). transfer.h
+ * writes and reads them. */
 #ifndef TWIDDLE_AGENT_MESSAGES_H
 #define TWIDDLE_AGENT_MESSAGES_H
 

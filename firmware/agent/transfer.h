@@ -31,9 +31,12 @@ const struct twd_model *twd_model_of_number(uint32_t number);
 /* A payload being written or read, word after word. */
 struct twd_transfer {
     struct twd_frame *frame;
-    uint16_t at;  /* bytes done */
-    bool writing; /* into the frame, or out of it */
-    bool failed;  /* no room, no bytes, or a field beyond what it may be: what was read is not to be used */
+    /* Bytes done. */
+    uint16_t at;
+    /* Into the frame, or out of it. */
+    bool writing;
+    /* No room, no bytes, or a field beyond what it may be: what was read is not to be used. */
+    bool failed;
 };
 
 /* Start to write the payload of `frame`. Its type and sequence number are the caller's. */
@@ -51,9 +54,12 @@ void twd_transfer_words(struct twd_transfer *transfer, void *words, size_t count
 
 /* Who a chip is: the answer to TWD_REQUEST_HELLO. */
 struct twd_hello {
-    uint32_t protocol; /* TWD_PROTOCOL_VERSION */
-    uint32_t numbers;  /* enum twd_numbers */
-    uint32_t joints;   /* TWD_MAX_JOINTS of the chip's build, and so on */
+    /* TWD_PROTOCOL_VERSION */
+    uint32_t protocol;
+    /* enum twd_numbers. */
+    uint32_t numbers;
+    /* TWD_MAX_JOINTS of the chip's build, and so on. */
+    uint32_t joints;
     uint32_t fingers;
     uint32_t units;
     uint32_t inputs;
@@ -72,17 +78,23 @@ void twd_transfer_learner(struct twd_transfer *transfer, struct twd_learner_conf
 
 /* What a trial starts with: the answer to TWD_REQUEST_ACT, for a model of `cpgs` CPGs. */
 struct twd_trial_start {
-    twd_wide value;               /* E, the critic's estimate */
-    twd_num noise;                /* half-range in force */
-    twd_num weight[TWD_MAX_CPGS]; /* [cpgs] s_k, in the model's order */
+    /* E, the critic's estimate. */
+    twd_wide value;
+    /* Half-range in force. */
+    twd_num noise;
+    /* [cpgs]: s_k, in the model's order. */
+    twd_num weight[TWD_MAX_CPGS];
 };
 void twd_transfer_trial_start(struct twd_transfer *transfer, struct twd_trial_start *start, uint8_t cpgs);
 
 /* The learner's and the controller's counters: the answer to TWD_REQUEST_STATE. */
 struct twd_agent_state {
-    uint32_t trials;                    /* learned from */
-    struct twd_random random;           /* of the generator of weights and noise */
-    struct twd_saturations saturations; /* since TWD_REQUEST_BEGIN */
+    /* Learned from. */
+    uint32_t trials;
+    /* Of the generator of weights and noise. */
+    struct twd_random random;
+    /* Since TWD_REQUEST_BEGIN. */
+    struct twd_saturations saturations;
 };
 void twd_transfer_state(struct twd_transfer *transfer, struct twd_agent_state *state);
 

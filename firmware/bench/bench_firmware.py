@@ -101,7 +101,7 @@ def read_costs(path):
 
 
 def functions_at(image, addresses):
-    """By address, the source's function to which an instruction belongs, inlined or not; arithmetic counts for its user."""
+    """By address, the source's function that holds the instruction, inlined or not; arithmetic counts for its user."""
     command = ["arm-none-eabi-addr2line", "-e", image, "-a", "-f", "-i"]
     done = subprocess.run(command, input="\n".join(addresses), capture_output=True, text=True, check=True)
     functions = {}

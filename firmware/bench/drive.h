@@ -21,10 +21,14 @@ enum { DRIVE_PARAMETERS = 22, DRIVE_OSCILLATORS = 7, DRIVE_COUPLINGS = 4 };
 /* What drives the seven oscillators: those of CPG-C, then CPG-M's, then CPG-S's. All phases start at 0. */
 struct drive {
     double frequency_hz;
-    double amplitude[DRIVE_OSCILLATORS];      /* R, of the joint's range */
-    double centre[DRIVE_OSCILLATORS];         /* C, of the joint's range */
-    double initial_centre[DRIVE_OSCILLATORS]; /* c at t = 0 */
-    double lag_turns[DRIVE_COUPLINGS];        /* [0, 1) */
+    /* R, of the joint's range. */
+    double amplitude[DRIVE_OSCILLATORS];
+    /* C, of the joint's range. */
+    double centre[DRIVE_OSCILLATORS];
+    /* c at t = 0. */
+    double initial_centre[DRIVE_OSCILLATORS];
+    /* [0, 1) */
+    double lag_turns[DRIVE_COUPLINGS];
 };
 
 /* Which oscillators the couplings join. */

@@ -10,11 +10,13 @@
 
 struct real_filter {
     real value;
-    real velocity; /* divided by half the rate */
+    /* Divided by half the rate. */
+    real velocity;
 };
 
 struct real_oscillator {
-    real phase_rad; /* [0, 2 pi) */
+    /* [0, 2 pi) */
+    real phase_rad;
     real last_pull;
     struct real_filter amplitude;
     struct real_filter centre;
@@ -25,9 +27,11 @@ struct real_network {
     real target_amplitude[DRIVE_OSCILLATORS];
     real target_centre[DRIVE_OSCILLATORS];
     real lag_rad[DRIVE_COUPLINGS];
-    real advance_rad; /* a tick, from the frequency */
+    /* In a tick, from the frequency. */
+    real advance_rad;
     real error_from_error;
-    real mixed; /* error from velocity, and less velocity from error */
+    /* Error from velocity, and less velocity from error. */
+    real mixed;
     real velocity_from_velocity;
     real output[DRIVE_OSCILLATORS];
 };

@@ -1,5 +1,5 @@
-/* seven_real.h: seven.h in a floating-point type, with a library's sine and cosine. The source that includes it defines what
- * real_oscillators.h asks for. */
+/* seven_real.h: seven.h in a floating-point type, with a library's sine and cosine. The source that includes it defines
+ * what real_oscillators.h asks for. */
 #include "real_oscillators.h"
 #include "seven.h"
 

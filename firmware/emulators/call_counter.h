@@ -21,16 +21,25 @@
 /* A counted function. */
 struct counted_call {
     const struct function_symbol *function;
-    int name_length;         /* of what was asked for, which the function's name begins with */
-    bool inside;             /* a call has begun and not ended */
-    uint32_t return_address; /* where the call ends */
-    uint64_t begin;          /* the total cost when it began */
-    uint64_t calls;          /* that ended */
-    uint64_t cost;           /* of all calls that ended */
-    uint64_t least;          /* cost of a call */
+    /* Of what was asked for, which the function's name begins with. */
+    int name_length;
+    /* A call has begun and not ended. */
+    bool inside;
+    /* Where the call ends. */
+    uint32_t return_address;
+    /* The total cost when it began. */
+    uint64_t begin;
+    /* That ended. */
+    uint64_t calls;
+    /* Of all calls that ended. */
+    uint64_t cost;
+    /* Cost of a call. */
+    uint64_t least;
     uint64_t most;
-    uint64_t part[CODE_PLACES_MAX]; /* cost that arose at each place, from the image's first function */
-    uint64_t elsewhere;             /* cost that arose outside these places */
+    /* Cost that arose at each place, from the image's first function. */
+    uint64_t part[CODE_PLACES_MAX];
+    /* Cost that arose outside these places. */
+    uint64_t elsewhere;
 };
 
 /* The counter. Big, and all zero at first: a static variable. */
@@ -38,10 +47,14 @@ struct call_counter {
     struct symbol_table symbols;
     size_t counted;
     struct counted_call call[COUNTED_CALLS_MAX];
-    size_t inside;         /* calls that have begun and not ended */
-    uint32_t address;      /* of the last instruction */
-    uint32_t next_address; /* behind it */
-    uint64_t total;        /* the total cost before it */
+    /* Calls that have begun and not ended. */
+    size_t inside;
+    /* Of the last instruction. */
+    uint32_t address;
+    /* Behind it. */
+    uint32_t next_address;
+    /* The total cost before it. */
+    uint64_t total;
 };
 
 /* Make `counter`, all zero, a counter for the ELF file `image` that counts nothing yet. On failure, false and a

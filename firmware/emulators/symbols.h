@@ -11,14 +11,18 @@
 
 /* A function of the image. */
 struct function_symbol {
-    const char *name; /* lives as long as the program: the file is kept in memory */
-    uint32_t address; /* of its first instruction */
-    uint32_t size;    /* bytes; 0 if the file does not say, as for some functions written in assembler */
+    /* Lives as long as the program: the file is kept in memory. */
+    const char *name;
+    /* Of its first instruction. */
+    uint32_t address;
+    /* Bytes; 0 if the file does not say, as for some functions written in assembler. */
+    uint32_t size;
 };
 
 /* All functions of an image, by ascending address; those at one address by name. */
 struct symbol_table {
-    uint16_t machine; /* EM_ARM, EM_AVR, ... of <elf.h> */
+    /* EM_ARM, EM_AVR, ... of <elf.h>. */
+    uint16_t machine;
     size_t count;
     struct function_symbol function[SYMBOLS_MAX];
 };

@@ -1,5 +1,5 @@
-/* checksum.h: one number for all the state of the library, the same on every machine: 32-bit FNV-1a over the bytes of its words, low
- * byte first, field by field. */
+/* checksum.h: one number for all the state of the library, the same on every machine: 32-bit FNV-1a over the bytes of
+ * its words, low byte first, field by field. */
 #ifndef TWIDDLE_GOLDEN_CHECKSUM_H
 #define TWIDDLE_GOLDEN_CHECKSUM_H
 

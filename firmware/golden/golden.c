@@ -1,10 +1,10 @@
-/* The golden program: the controller and the learner of the fixed build through many cases, and a checksum of all that they
- * computed, which is the same on every machine and for every compiler (tests/firmware/golden). It writes one line,
+/* The golden program: the controller and the learner of the fixed build through many cases, and a checksum of all that
+ * they computed, which is the same on every machine and for every compiler (tests/firmware/golden). It writes one line,
  *
  *     golden: ticks XXXXXXXX learning XXXXXXXX
  *
- * Its constants are words, or have words of at most 24 significant bits, so that a compiler whose double has no more of them (avr-gcc)
- * makes the same of them. */
+ * Its constants are words, or have words of at most 24 significant bits, so that a compiler whose double has no more of
+ * them (avr-gcc) makes the same of them. */
 #include <board.h>
 #include <twiddle/icub_right_hand.h>
 #include <twiddle/input_map.h>
@@ -98,7 +98,8 @@ static void start(int set)
     require(twd_controller_start(&controller, parameter, count));
 }
 
-/* Made-up motion: +-2 rad and +-32 rad/s, every 16th tick all that a word can say, and now and then what is no number. */
+/* Made-up motion: +-2 rad and +-32 rad/s, every 16th tick all that a word can say, and now and then what is no
+ * number. */
 static void move(int tick, twd_num *angle_rad, twd_rate *velocity_rad_s)
 {
     const unsigned more_bits = tick % 16 == 15 ? 2 : 0;

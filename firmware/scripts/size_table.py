@@ -15,7 +15,12 @@ import sys
 from disassembly import run
 from stack_usage import StackUsage, Unbounded
 
-STACKS = {"tick": "twd_controller_tick", "torque": "twd_controller_torque", "learn": "twd_learner_learn", "main": "main"}
+STACKS = {
+    "tick": "twd_controller_tick",
+    "torque": "twd_controller_torque",
+    "learn": "twd_learner_learn",
+    "main": "main",
+}
 
 
 def memory(objdump, file):

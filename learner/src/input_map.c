@@ -10,7 +10,8 @@
  * sum_k exp(-(k + d)^2), which is sqrt(pi) to within 2e-4 whatever the offset d. */
 #define UNIT_SQUARED_NORM TWD_WIDE_CONSTANT(1.7724538509055160, 29736841)
 
-/* Square root of a value in [0, 60], by Newton's method from above, where the estimates fall until they are as close as they get. */
+/* Square root of a value in [0, 60], by Newton's method from above, where the estimates fall until they are as close as
+ * they get. */
 static twd_wide square_root(twd_wide value)
 {
     if (value <= TWD_WIDE(0)) return TWD_WIDE(0);
@@ -32,7 +33,8 @@ void twd_input_map(enum twd_shape shape, twd_num size_m, twd_wide squared_norm, 
         twd_num *const response = input + (ptrdiff_t)row * TWD_INPUT_SIZES;
         twd_num preferred = FIRST_PREFERRED_M;
         for (int unit = 0; unit < TWD_INPUT_SIZES; unit++) {
-            /* A distance of 8 widths is as good as none nearer: exp(-32). In fours, for number formats that do not reach 64. */
+            /* A distance of 8 widths is as good as none nearer: exp(-32). In fours, for number formats that do not
+             * reach 64. */
             const twd_num fours = twd_clamp(twd_div(size - preferred, FOUR_WIDTHS_M), TWD_NUM(-2), TWD_NUM(2));
             const twd_wide half_square = twd_wide_mul(TWD_NUM(4), twd_wide_product(fours, fours + fours));
             const twd_num tuning = twd_exp_negative(half_square);

@@ -17,7 +17,8 @@ static uint64_t splitmix64(uint64_t *counter)
 
 void twd_random_seed(struct twd_random *random, uint64_t seed)
 {
-    /* SplitMix64 maps its counter one to one, so two outputs in a row are never both 0, and no seed gives the all-zero state. */
+    /* SplitMix64 maps its counter one to one, so two outputs in a row are never both 0, and no seed gives the all-zero
+     * state. */
     for (int word = 0; word < 4; word += 2) {
         const uint64_t output = splitmix64(&seed);
         random->state[word] = (uint32_t)output;

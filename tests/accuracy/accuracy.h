@@ -1,16 +1,16 @@
 /* accuracy.h: what one number build computes, as a stream of doubles, for comparison with another build.
  *
- * The number builds have the same names and cannot be linked into one program. So each has a recorder of its own, which runs one
- * of the courses below and writes its quantities to standard output, and compare_accuracy reads the recorders side by side.
+ * Each build has a recorder of its own, which runs one of the courses below and writes its quantities to standard
+ * output, and compare_accuracy reads the recorders side by side.
  *
- *     record_accuracy trials CENTRES TICK   for each set and tick: oscillator outputs, joint outputs, torques, phases; CENTRES is 1 or
- *                                           0, TICK is in ms
+ *     record_accuracy trials CENTRES TICK   for each set and tick: oscillator outputs, joint outputs, torques, phases;
+ *                                           CENTRES is 1 or 0, TICK is in ms
  *     record_accuracy sigmoid               twd_sigmoid on a grid over +-SIGMOID_END
- *     record_accuracy sine                  twd_sin, and the sine and the cosine of twd_sine_cosine, all round the circle
+ *     record_accuracy sine                  twd_sin, and sine and cosine of twd_sine_cosine, all round the circle
  *     record_accuracy learning              for each seed: reward of the learned policy, mean reward of the last trials
  *
- * What is given to the builds (parameters, angles, velocities, arguments) is exact in all of them, so that the rounding of inputs
- * is not counted; what they compute with it, and settings as a user writes them (the tick of 0.01 s), are. */
+ * What is given to the builds (parameters, angles, velocities, arguments) is exact in all of them, so that the rounding
+ * of inputs is not counted; what they compute with it, and settings as a user writes them (the tick of 0.01 s), are. */
 #ifndef TWIDDLE_ACCURACY_H
 #define TWIDDLE_ACCURACY_H
 

@@ -1,5 +1,5 @@
-// compare_accuracy DOUBLE FLOAT FIXED: how far the float and the fixed build are from the double build (the three recorders of
-// accuracy.h), as a table on standard output. Ends with 1 if an error is above its limit, naming it.
+// compare_accuracy DOUBLE FLOAT FIXED: how far the float and the fixed build are from the double build (the three
+// recorders of accuracy.h), as a table on standard output. Ends with 1 if an error is above its limit, naming it.
 #include "accuracy.h"
 
 #include <algorithm>
@@ -120,7 +120,8 @@ Course trials(bool with_centre, int tick_ms)
 {
     const std::string where =
         std::string(with_centre ? ", centres" : ", no centres") + (tick_ms == 10 ? ", 10 ms" : ", 1 ms");
-    // A joint's output that is 1e-4 of the largest range off changes the torque by as much as its stiffness makes of that.
+    // A joint's output that is 1e-4 of the largest range off changes the torque by as much as its stiffness makes of
+    // that.
     constexpr double largest_range_rad = 2.27;
     constexpr double stiffness_nm_per_rad = 0.3125;
     const Difference absolute = Difference::absolute;

@@ -53,8 +53,8 @@ static twd_rate draw_rate(void)
     return twd_rate_from_double(4.0 + (double)draw(16) / 1024.0);
 }
 
-/* The iCub hand under CPG-H, with the widest frequency range of models/setups. The phases start at 0, so that the couplings pull
- * through the whole trial. */
+/* The iCub hand under CPG-H, with the widest frequency range of models/setups. The phases start at 0, so that the
+ * couplings pull through the whole trial. */
 static struct twd_controller_config draw_config(bool with_centre, double tick_s)
 {
     struct twd_controller_config config;
@@ -164,7 +164,8 @@ static void record_sine(void)
     }
 }
 
-/* A reward of the size of the paper's rotations, at most 4 rad, where all parameters are at their targets, 0.2 and 0.8 in turns. */
+/* A reward of the size of the paper's rotations, at most 4 rad, where all parameters are at their targets, 0.2 and 0.8
+ * in turns. */
 static double reward(const twd_num *parameter, size_t units)
 {
     double shortfall = 0;

@@ -11,8 +11,9 @@
 /* The bound that phase.h states for sines and cosines. */
 #define SINE_BOUND BY_NUMBER(1e-8, 2e-7, 4e-6)
 
-/* What a filter may be off its closed form for a step of 1, beside rounding. In the fixed build its factors have 16 bits: half a step
- * is up to 2^-16 of 1 - e, and 1.44 x 2^-16 of the rate and of e k; the response moves by at most 0.54 and 0.37 of these. */
+/* What a filter may be off its closed form for a step of 1, beside rounding. In the fixed build its factors have 16
+ * bits: half a step is up to 2^-16 of 1 - e, and 1.44 x 2^-16 of the rate and of e k; the response moves by at most
+ * 0.54 and 0.37 of these. */
 #define FILTER_ERROR BY_NUMBER(0.0, 0.0, 2e-5)
 
 /* A phase as turns in [-0.5, 0.5). */

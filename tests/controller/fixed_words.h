@@ -1,8 +1,8 @@
-/* fixed_words.h: words to test the fixed build with, all edges and random pairs of all sizes, and exact 64-bit arithmetic, which
- * divides where the library shifts.
+/* fixed_words.h: words to test the fixed build with, all edges and random pairs of all sizes, and exact 64-bit
+ * arithmetic, which divides where the library shifts.
  *
- * A product of two words is exact in 64 bits. INT32_MIN, which is no number, counts among the edges, since a saturated result of it
- * must be a number again. */
+ * A product of two words is exact in 64 bits. INT32_MIN, which is no number, counts among the edges, since a saturated
+ * result of it must be a number again. */
 #ifndef TWIDDLE_FIXED_WORDS_H
 #define TWIDDLE_FIXED_WORDS_H
 

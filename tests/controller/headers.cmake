@@ -1,5 +1,5 @@
-# Each public header is the only include of a source of its own, in C and in C++, under our warnings; that this links into
-# one program is the test.
+# Each public header is the only include of a source of its own, in C and in C++, under our warnings; that this links
+# into one program is the test.
 file(GLOB headers CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/controller/include/twiddle/*.h ${PROJECT_SOURCE_DIR}/learner/include/twiddle/*.h)
 set(header_sources)

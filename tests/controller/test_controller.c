@@ -98,8 +98,9 @@ static void outputs_out_of_range_are_saturated_and_counted(void **state)
     assert_int_equal(controller.saturations.output, expected);
 }
 
-/* CPG-H with weights of 1/3: CPG-C's FEI swings by 0.5 around 0.9, beyond the range, and the others' stand at 0.3. The sum, at
- * most 2/3, is never cut; with each CPG saturated, CPG-C's part is cut at 1/3. Expected: both closed forms, tick by tick. */
+/* CPG-H with weights of 1/3: CPG-C's FEI swings by 0.5 around 0.9, beyond the range, and the others' stand at 0.3. The
+ * sum, at most 2/3, is never cut; with each CPG saturated, CPG-C's part is cut at 1/3. Expected: both closed forms,
+ * tick by tick. */
 static void saturation_cuts_the_sum_or_each_cpg(void **state)
 {
     (void)state;

@@ -5,8 +5,9 @@
 static struct twd_controller controller;
 static struct twd_controller_config good, changed;
 
-/* An angle, velocity or desired angle that is no number, or absurdly large (fixed: at an end of its range), gives that joint zero
- * torque and is counted; the others get what they would get otherwise, and a finger's gravity takes the lost angle as 0. */
+/* An angle, velocity or desired angle that is no number, or absurdly large (fixed: at an end of its range), gives that
+ * joint zero torque and is counted; the others get what they would get otherwise, and a finger's gravity takes the lost
+ * angle as 0. */
 static void input_that_is_no_number_never_reaches_the_torques(void **state)
 {
     (void)state;
@@ -44,8 +45,8 @@ static void input_that_is_no_number_never_reaches_the_torques(void **state)
     assert_int_equal(controller.saturations.torque, 0);
 }
 
-/* Whatever comes in, with gains at the ends of their range and a finger's weight near its limit, every torque is a number within its
- * limit; it is 0 where the input is unusable. */
+/* Whatever comes in, with gains at the ends of their range and a finger's weight near its limit, every torque is a
+ * number within its limit; it is 0 where the input is unusable. */
 static void torques_are_within_their_limit_whatever_comes_in(void **state)
 {
     (void)state;

@@ -7,8 +7,8 @@
 #define RATE_PER_S TWD_RATE(20)
 #define SETTLED_TICKS 20000 /* 200 s */
 
-/* How near the filters come to their targets. Fixed: within 1 / (1 - exp(-k)) = 10.5 steps of each of two parts of the state, since
- * k = 20 /s x 0.01 s / 2. */
+/* How near the filters come to their targets. Fixed: within 1 / (1 - exp(-k)) = 10.5 steps of each of two parts of the
+ * state, since k = 20 /s x 0.01 s / 2. */
 #define SETTLED BY_NUMBER(1e-12, 1e-6, 21 * NUM_STEP)
 
 static const struct twd_topology *const trees[] = {&twd_cpg_c, &twd_cpg_m, &twd_cpg_s};
@@ -208,9 +208,9 @@ static void ring_settles_to_a_travelling_wave(void **state)
     }
 }
 
-/* With phi_ji = +phi_ij, two oscillators of equal amplitude R = 0.5 do not settle at phi: their difference d obeys
- * d' = -2 R sin(d) cos(phi), whose stable end is 0 where cos(phi) > 0 and half a turn where it is below. Both then advance at
- * nu - R sin(phi) / 2 pi, or nu + it: the closed forms, at the settled end of 200 s. */
+/* With phi_ji = +phi_ij, two oscillators of equal amplitude R = 0.5 do not settle at phi: their difference d obeys d' =
+ * -2 R sin(d) cos(phi), whose stable end is 0 where cos(phi) > 0 and half a turn where it is below. Both then advance
+ * at nu - R sin(phi) / 2 pi, or nu + it: the closed forms, at the settled end of 200 s. */
 static void equal_return_lag_settles_in_or_against_phase(void **state)
 {
     (void)state;

@@ -22,8 +22,8 @@
  * the about 1 s that it takes to leave, which multiplies early errors by up to e^2 = 7.4. Together: 60 h^2. */
 #define PHASE_TOLERANCE_RAD(tick_s) (60.0 * (tick_s) * (tick_s))
 
-/* x moves by at most r <= 0.5 a radian of phase; amplitude and centre, of at most 0.5 and 1, are exact but for rounding and the
- * filter's own error. */
+/* x moves by at most r <= 0.5 a radian of phase; amplitude and centre, of at most 0.5 and 1, are exact but for rounding
+ * and the filter's own error. */
 #define OUTPUT_TOLERANCE(tick_s) (0.5 * PHASE_TOLERANCE_RAD(tick_s) + BY_NUMBER(1e-8, 2e-6, 2e-6) + 1.5 * FILTER_ERROR)
 
 static const struct twd_topology *const networks[] = {&twd_cpg_c, &twd_cpg_m, &twd_cpg_s, &ring};

@@ -90,7 +90,8 @@ static void sigmoid_keeps_its_bound(void **state)
     assert_true(twd_sigmoid(TWD_WIDE(0)) == TWD_NUM(0.5));
 }
 
-/* At the ends of its argument's range, and for what is no number, the logistic function stays in [0, 1]; far out it is 0 or 1. */
+/* At the ends of its argument's range, and for what is no number, the logistic function stays in [0, 1]; far out it is
+ * 0 or 1. */
 static void sigmoid_takes_any_value(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* The fixed build's conversions from and to double, and its constants, for words of all sizes (fixed_words.h). Words have up to 31
- * bits, so this asks for a double of 53. */
+/* The fixed build's conversions from and to double, and its constants, for words of all sizes (fixed_words.h). Words
+ * have up to 31 bits, so this asks for a double of 53. */
 #include "fixed_words.h"
 
 /* The four formats' conversions. */
@@ -58,8 +58,8 @@ static void conversions_stay_in_range(void **state)
     }
 }
 
-/* Constants are rounded to nearest. Expected, by hand: 0.1 2^28 = 26843545.6, 1.3 2^24 = 21810380.8, 0.7 2^20 = 734003.2,
- * 0.01 2^34 = 171798691.84. */
+/* Constants are rounded to nearest. Expected, by hand: 0.1 2^28 = 26843545.6, 1.3 2^24 = 21810380.8, 0.7 2^20 =
+ * 734003.2, 0.01 2^34 = 171798691.84. */
 static void constants_are_rounded_to_nearest(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* The fixed build's words: every operation of two of them, and how cores with and without a long multiplication make the products,
- * for all edges and a million random pairs (fixed_words.h). */
+/* The fixed build's words: every operation of two of them, and how cores with and without a long multiplication make
+ * the products, for all edges and a million random pairs (fixed_words.h). */
 #include "fixed_words.h"
 
 /* The operations on two words. */
@@ -36,8 +36,9 @@ static void products_are_rounded_and_saturated(void **state)
     for_all_pairs(check_products);
 }
 
-/* The products that do not saturate are exact too where the result is inside the range: twd_mul rounds to nearest, twd_mul_short
- * down to a multiple of 16 words, twd_wide_product down to a word of the wider format, for all factors. */
+/* The products that do not saturate are exact too where the result is inside the range: twd_mul rounds to nearest,
+ * twd_mul_short down to a multiple of 16 words, twd_wide_product down to a word of the wider format, for all
+ * factors. */
 static void check_quick_products(int32_t a, int32_t b)
 {
     const int64_t product = (int64_t)a * b;
@@ -73,8 +74,8 @@ static const struct {
     {"twd_wide_div_small", twd_wide_div_small, 24},
 };
 
-/* Quotients are rounded to nearest, a half away from 0, and stay at the ends of the range; a divisor of 0 counts as the smallest
- * number, one word. */
+/* Quotients are rounded to nearest, a half away from 0, and stay at the ends of the range; a divisor of 0 counts as the
+ * smallest number, one word. */
 static void check_quotients(int32_t a, int32_t b)
 {
     for (size_t i = 0; i < sizeof quotients / sizeof quotients[0]; i++) {
@@ -140,7 +141,8 @@ static void formats_are_converted(void **state)
     for_all_pairs(check_usable);
 }
 
-/* The forms for cores that multiply 16 bits at a time, and the ones of this core, are the exact products and their upper halves. */
+/* The forms for cores that multiply 16 bits at a time, and the ones of this core, are the exact products and their
+ * upper halves. */
 static void check_pieces(int32_t a, int32_t b)
 {
     const int64_t product = (int64_t)a * b;
@@ -171,8 +173,8 @@ static void products_of_pieces_are_exact(void **state)
     for_all_pairs(check_pieces);
 }
 
-/* A factor from [0, 1/2) keeps 16 bits behind its leading zeros, or all down to 2^-32, rounded to nearest; where that would carry into
- * a 17th bit, all are ones. */
+/* A factor from [0, 1/2) keeps 16 bits behind its leading zeros, or all down to 2^-32, rounded to nearest; where that
+ * would carry into a 17th bit, all are ones. */
 static void check_factor(int32_t word, int32_t unused)
 {
     (void)unused;
@@ -208,8 +210,8 @@ static void factors_keep_16_bits(void **state)
     for_all_pairs(check_products_with_factors);
 }
 
-/* The operations shift negative words to the right and convert words beyond INT32_MAX to int32_t; C leaves both to the compiler, and
- * this is what they rely on. */
+/* The operations shift negative words to the right and convert words beyond INT32_MAX to int32_t; C leaves both to the
+ * compiler, and this is what they rely on. */
 static void the_compiler_keeps_the_sign(void **state)
 {
     volatile int32_t negative = -5;

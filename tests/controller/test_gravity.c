@@ -237,8 +237,8 @@ static void init_rejects_links_that_are_none(void **state)
     assert_marked(&gravity, sizeof gravity);
 }
 
-/* Whatever the masses and lengths of a link, its chain is held by the closed-form torque m g l cos(q), within a part of 1e-6, or
- * refused: the fixed build takes weights below 8 N and moments up to 4 N m, the others 1e6 N m. */
+/* Whatever the masses and lengths of a link, its chain is held by the closed-form torque m g l cos(q), within a part of
+ * 1e-6, or refused: the fixed build takes weights below 8 N and moments up to 4 N m, the others 1e6 N m. */
 static void heavy_links_are_held_or_refused(void **state)
 {
     (void)state;

@@ -2,7 +2,8 @@
 
 #include <twiddle/model.h>
 
-/* Fixed: half a step of 2^-28 for each number that goes in, the weights' divided by a sum above 0.4, and for the result. */
+/* Fixed: half a step of 2^-28 for each number that goes in, the weights' divided by a sum above 0.4, and for the
+ * result. */
 #define ROUNDING BY_NUMBER(1e-14, 1e-6, 3 * NUM_STEP)
 
 static const struct twd_parameter_ranges ranges = {

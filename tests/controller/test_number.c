@@ -1,4 +1,5 @@
-/* The numbers' operations and conversions, as they hold in every build (the fixed build's words: test_fixed_number.c). */
+/* The numbers' operations and conversions, as they hold in every build (the fixed build's words:
+ * test_fixed_number.c). */
 #include "c_test.h"
 
 /* One operation on doubles, by way of the library's types. */

@@ -29,8 +29,8 @@ static double divisor(double stiffness, double damping, double inertia_kg_m2, do
 /* 1000 random joints: the torque of the stable gains is that of one step of implicit Euler. Expected: q1 = q + h v1 and
  * M (v1 - v) / h = Kp (desired - q1) - Kd v1, two linear equations, solved by Cramer's rule in double.
  *
- * Fixed: D is off by half a step of Kd + h Kp, times h / M, and by one of h (Kd + h Kp), 2^-34, over M; with Kp of at least
- * 0.05 and M of at least 1e-5 that is 6e-6 of it, of torques up to 1.3 N m. */
+ * Fixed: D is off by half a step of Kd + h Kp, times h / M, and by one of h (Kd + h Kp), 2^-34, over M; with Kp of at
+ * least 0.05 and M of at least 1e-5 that is 6e-6 of it, of torques up to 1.3 N m. */
 static void stable_gains_make_a_step_of_implicit_euler(void **state)
 {
     (void)state;
@@ -77,8 +77,9 @@ static double late_swing(const struct twd_pd *pd, double inertia_kg_m2, double p
     return fabs(q) < 1e3 ? largest : fabs(q);
 }
 
-/* Gains chosen for 60 rad/s, on the 3.7e-5 kg m2 of a straight iCub index at 10 ms: the joint swings out of bounds under
- * the plain law and settles under the stable one, also if the true inertia is 3/4 of the assumed one, or three times it. */
+/* Gains chosen for 60 rad/s, on the 3.7e-5 kg m2 of a straight iCub index at 10 ms: the joint swings out of bounds
+ * under the plain law and settles under the stable one, also if the true inertia is 3/4 of the assumed one, or three
+ * times it. */
 static void stable_gains_settle_where_the_plain_law_diverges(void **state)
 {
     (void)state;

@@ -98,8 +98,8 @@ static void advances_are_turns_of_a_tick(void **state)
         const twd_small tick = twd_small_from_double(tick_s[h]);
         const twd_turn_gain gain = twd_turn_gain_of_tick(tick);
         for (int k = -30; k <= 30; k++) {
-            /* Fixed: half a step of a rate is 5e-10 turns of the longest tick, the gain's 3e-10, and the phase is a multiple of
-             * 2^-31 turn. */
+            /* Fixed: half a step of a rate is 5e-10 turns of the longest tick, the gain's 3e-10, and the phase is a
+             * multiple of 2^-31 turn. */
             const double frequency_hz = k * 0.16, rate_rad_s = k * 0.5;
             const double turns = frequency_hz * tick_s[h], turns_of_rate = rate_rad_s * tick_s[h] / (2.0 * PI);
             assert_close(signed_turns(twd_phase_from_frequency(twd_num_from_double(frequency_hz), tick)), turns,

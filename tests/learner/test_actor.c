@@ -54,7 +54,8 @@ static void weight_updates_equal_the_equation_term_by_term(void **state)
     }
 }
 
-/* The first unit's change by hand: 0.15 x (0.6 - 0.3775406688) x 0.3775406688 x 0.6224593312 = 0.0078418, times x = 1, 2, -0.5. */
+/* The first unit's change by hand: 0.15 x (0.6 - 0.3775406688) x 0.3775406688 x 0.6224593312 = 0.0078418, times x = 1,
+ * 2, -0.5. */
 static void weight_updates_equal_the_worked_example(void **state)
 {
     (void)state;
@@ -67,7 +68,8 @@ static void weight_updates_equal_the_worked_example(void **state)
     assert_num_close(actor.weight[0][2], 1.0 - 0.0039209, 1e-6);
 }
 
-/* Exploration adds one draw a unit, in order, from [-h, h): the draws are repeated here from a copy of the generator. */
+/* Exploration adds one draw a unit, in order, from [-h, h): the draws are repeated here from a copy of the
+ * generator. */
 static void exploration_adds_one_draw_a_unit_in_order(void **state)
 {
     const struct twd_exploration exploration = {.half_range = TWD_NUM(0.25), .clip = TWD_NUM(0.001)};
@@ -85,9 +87,9 @@ static void exploration_adds_one_draw_a_unit_in_order(void **state)
     assert_memory_equal(random.state, copy.state, sizeof copy.state);
 }
 
-/* Exploration that would leave [clip, 1 - clip] stops at its ends, and the update uses the stopped value, or the one asked for: with
- * weights for y = 1 / (1 + e^-2) = 0.8807970780, dw = eta S (y^N - y) y (1 - y) x, where y^N is at most 0.999, or what the draw
- * gives. */
+/* Exploration that would leave [clip, 1 - clip] stops at its ends, and the update uses the stopped value, or the one
+ * asked for: with weights for y = 1 / (1 + e^-2) = 0.8807970780, dw = eta S (y^N - y) y (1 - y) x, where y^N is at most
+ * 0.999, or what the draw gives. */
 static void learned_value_is_clipped_or_not(enum twd_learned_value learned_value)
 {
     const struct twd_exploration exploration = {
@@ -176,8 +178,8 @@ static void initial_weights_fill_their_range(void **state)
     assert_true(largest > 0.045 && largest <= twd_num_to_double(TWD_NUM(0.05)));
 }
 
-/* With TD errors of +-100 and inputs of +-7.5, 40 updates of eta S (y^N - y) y (1 - y) x carry a weight 374.25 far: by hand, from
- * 0.1, 0.999 and 0.5. In the fixed build it stops at the end of its range, 8, and is not carried round. */
+/* With TD errors of +-100 and inputs of +-7.5, 40 updates of eta S (y^N - y) y (1 - y) x carry a weight 374.25 far: by
+ * hand, from 0.1, 0.999 and 0.5. In the fixed build it stops at the end of its range, 8, and is not carried round. */
 static void weights_stop_at_the_end_of_their_range(void **state)
 {
     (void)state;

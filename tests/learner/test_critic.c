@@ -23,7 +23,8 @@ static void updates_equal_the_worked_example(void **state)
     assert_wide_close(critic.weight[2], -0.1475, ROUNDING);
 }
 
-/* On a constant input and reward the error shrinks by 1 - eta |x|^2 a trial: after n trials E = R (1 - (1 - eta |x|^2)^n). */
+/* On a constant input and reward the error shrinks by 1 - eta |x|^2 a trial: after n trials E = R (1 - (1 - eta
+ * |x|^2)^n). */
 static void estimate_approaches_a_constant_reward_geometrically(void **state)
 {
     const twd_num input[] = {TWD_NUM(1), TWD_NUM(0.5)};

@@ -31,8 +31,8 @@ static void squared_norm_is_the_asked_one(void **state)
     }
 }
 
-/* Each response is sqrt(norm / sqrt(pi)) exp(-((size - preferred) / 2 mm)^2 / 2) in the object's row, and 0 in the others;
- * expected from libm in double precision, for a size between two units. */
+/* Each response is sqrt(norm / sqrt(pi)) exp(-((size - preferred) / 2 mm)^2 / 2) in the object's row, and 0 in the
+ * others; expected from libm in double precision, for a size between two units. */
 static void responses_are_gaussian_in_the_row_of_the_shape(void **state)
 {
     const double size_m = 0.0293;
@@ -49,8 +49,8 @@ static void responses_are_gaussian_in_the_row_of_the_shape(void **state)
     }
 }
 
-/* At a unit's own preferred size the responses are, by hand for norm 10: amplitude 2.3753 at the unit, times exp(-1/2) = 0.60653
- * beside it, exp(-2) = 0.13534 two away. */
+/* At a unit's own preferred size the responses are, by hand for norm 10: amplitude 2.3753 at the unit, times exp(-1/2)
+ * = 0.60653 beside it, exp(-2) = 0.13534 two away. */
 static void responses_at_a_preferred_size_equal_the_worked_values(void **state)
 {
     twd_num input[TWD_INPUTS];
@@ -63,7 +63,8 @@ static void responses_at_a_preferred_size_equal_the_worked_values(void **state)
     assert_num_close(input[9 + 6], 0.3215, 1e-4);
 }
 
-/* Sizes and norms that make no sense give finite responses: nothing for a norm of 0 or less, or for one that is not a number. */
+/* Sizes and norms that make no sense give finite responses: nothing for a norm of 0 or less, or for one that is not a
+ * number. */
 static void senseless_values_give_finite_responses(void **state)
 {
     static const double sizes_m[] = {-1.0, 0.0, 0.028, 1e6, (double)INFINITY, (double)NAN};

@@ -203,7 +203,7 @@ static uint32_t go_on(const twd_num *input)
 
 /* A learner made of what another has come to goes on as that one did, to the byte: here half way through the noise's
  * decay. */
-static void restored_agent_goes_on_as_the_one_it_was(void **state)
+static void restored_learner_goes_on_as_the_one_it_was(void **state)
 {
     static const twd_num input[RESTORED_INPUTS] = {TWD_NUM(1),  TWD_NUM(0.5), TWD_NUM(0),
                                                    TWD_NUM(-1), TWD_NUM(0),   TWD_NUM(2)};
@@ -228,8 +228,9 @@ static void restored_agent_goes_on_as_the_one_it_was(void **state)
     assert_int_equal(go_on(learner.input), expected);
 }
 
-/* Tables that are missing, a generator that would give 0 for ever, and what init refuses: the learner stays as it was. */
-static void restore_errors_leave_the_agent_as_it_was(void **state)
+/* Tables that are missing, a generator that would give 0 for ever, and what init refuses: the learner stays as it
+ * was. */
+static void restore_errors_leave_the_learner_as_it_was(void **state)
 {
     static const twd_num numbers[1] = {TWD_NUM(0.5)};
     static const twd_wide value[1] = {TWD_WIDE(0.5)};
@@ -314,8 +315,8 @@ static void unit_counts_are_the_papers(void **state)
     }
 }
 
-/* CPG-H's selector weights, decoded from what the learner explores, are y_k / sum(y) of the last three parameters (eq. 4)
- * and sum to 1 in every trial, with and without centre. */
+/* CPG-H's selector weights, decoded from what the learner explores, are y_k / sum(y) of the last three parameters (eq.
+ * 4) and sum to 1 in every trial, with and without centre. */
 static void selector_weights_sum_to_one(void **state)
 {
     const struct twd_parameter_ranges ranges = {
@@ -349,7 +350,7 @@ static void selector_weights_sum_to_one(void **state)
 }
 
 /* Each wrong field is refused with its error, and the learner stays as it was. */
-static void init_errors_leave_the_agent_as_it_was(void **state)
+static void init_errors_leave_the_learner_as_it_was(void **state)
 {
     const struct twd_learner_config good = paper_config(5, 27, 81);
     (void)state;
@@ -387,13 +388,13 @@ int main(void)
         cmocka_unit_test(draws_come_in_the_stated_order),
         cmocka_unit_test(policy_is_noise_free_and_changes_nothing),
         cmocka_unit_test(same_seed_gives_the_same_bytes),
-        cmocka_unit_test(restored_agent_goes_on_as_the_one_it_was),
-        cmocka_unit_test(restore_errors_leave_the_agent_as_it_was),
+        cmocka_unit_test(restored_learner_goes_on_as_the_one_it_was),
+        cmocka_unit_test(restore_errors_leave_the_learner_as_it_was),
         cmocka_unit_test(a_reward_that_is_not_finite_counts_as_zero),
         cmocka_unit_test(huge_rewards_leave_the_parameters_in_their_range),
         cmocka_unit_test(unit_counts_are_the_papers),
         cmocka_unit_test(selector_weights_sum_to_one),
-        cmocka_unit_test(init_errors_leave_the_agent_as_it_was),
+        cmocka_unit_test(init_errors_leave_the_learner_as_it_was),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -48,8 +48,8 @@ static void train(uint64_t seed, size_t units, double *before, double *after)
     *after = shortfall(parameter, target, units);
 }
 
-/* From targets 0.3 away in every unit (an untrained policy is near 0.5) the trained policy comes, for every seed and for as many
- * units as CPG-M, CPG-C and CPG-H have, to within a tenth of the untrained one's shortfall of reward. */
+/* From targets 0.3 away in every unit (an untrained policy is near 0.5) the trained policy comes, for every seed and
+ * for as many units as CPG-M, CPG-C and CPG-H have, to within a tenth of the untrained one's shortfall of reward. */
 static void noise_free_policy_comes_close_to_the_optimum(void **state)
 {
     static const size_t units[] = {5, 12, 22};

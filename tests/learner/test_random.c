@@ -15,8 +15,8 @@ static void outputs_equal_the_published_vector(void **state)
         assert_int_equal(twd_random_next(&random), expected[i]);
 }
 
-/* The seeded state is two outputs of SplitMix64, low word first. Expected: its first five outputs for seed 1234567, from Rosetta
- * Code, "Pseudo-random numbers/Splitmix64". Its state is a counter in steps of 0x9E3779B97F4A7C15, so that
+/* The seeded state is two outputs of SplitMix64, low word first. Expected: its first five outputs for seed 1234567,
+ * from Rosetta Code, "Pseudo-random numbers/Splitmix64". Its state is a counter in steps of 0x9E3779B97F4A7C15, so that
  * a seed moved by k steps starts k outputs later. */
 static void seeding_equals_the_published_splitmix64_vector(void **state)
 {
@@ -33,8 +33,9 @@ static void seeding_equals_the_published_splitmix64_vector(void **state)
     }
 }
 
-/* A draw is the upper 24 bits of the next output, spread over [-h, h). Expected, by hand from the published outputs of the state
- * 1, 2, 3, 4: 641 >> 8 = 2, 1573767 >> 8 = 6147, 3222811527 >> 8 = 12589107, each divided by 2^23, minus 1. */
+/* A draw is the upper 24 bits of the next output, spread over [-h, h). Expected, by hand from the published outputs of
+ * the state 1, 2, 3, 4: 641 >> 8 = 2, 1573767 >> 8 = 6147, 3222811527 >> 8 = 12589107, each divided by 2^23, minus
+ * 1. */
 static void symmetric_draw_uses_the_upper_24_bits(void **state)
 {
     static const double upper_bits[] = {2.0, 6147.0, 12589107.0};
@@ -46,8 +47,8 @@ static void symmetric_draw_uses_the_upper_24_bits(void **state)
     }
 }
 
-/* A million draws stay in [-h, h), and their mean and variance are the uniform distribution's, 0 and h^2 / 3, within five
- * standard errors. */
+/* A million draws stay in [-h, h), and their mean and variance are the uniform distribution's, 0 and h^2 / 3, within
+ * five standard errors. */
 static void symmetric_draws_are_uniform(void **state)
 {
     const int32_t draws = CASES(1000000);

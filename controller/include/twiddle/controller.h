@@ -30,54 +30,65 @@ struct twd_joint {
 /* A finger whose weight is compensated, and which of the controller's joints its moving joints are. */
 struct twd_finger {
     struct twd_gravity gravity;
-    uint8_t joint[TWD_MAX_CHAIN_JOINTS]; /* [gravity.moving] index into the controller's joints */
+    /* [gravity.moving]: index into the controller's joints. */
+    uint8_t joint[TWD_MAX_CHAIN_JOINTS];
 };
 
 /* Where the oscillators' phases start a trial. */
 enum twd_phase_start {
-    TWD_PHASE_START_AT_LAG = 0, /* each at its desired lag (twd_cpg_phases_at_lag) */
-    TWD_PHASE_START_AT_ZERO = 1 /* all at 0; the couplings then pull them to their lags */
+    /* Each at its desired lag (twd_cpg_phases_at_lag). */
+    TWD_PHASE_START_AT_LAG = 0,
+    /* All at 0; the couplings then pull them to their lags. */
+    TWD_PHASE_START_AT_ZERO = 1
 };
 
 /* Where the joint outputs are saturated to [0, 1]; the paper does not say. The two differ where CPGs are mixed. */
 enum twd_saturation {
-    TWD_SATURATE_SUM = 0, /* the weighted sum of the CPGs' outputs, as it is remapped */
-    TWD_SATURATE_EACH = 1 /* each CPG's output, before it is weighted */
+    /* The weighted sum of the CPGs' outputs, as it is remapped. */
+    TWD_SATURATE_SUM = 0,
+    /* Each CPG's output, before it is weighted. */
+    TWD_SATURATE_EACH = 1
 };
 
 /* All that a controller needs to know. Copied by init, except for the const tables behind its pointers. */
 struct twd_controller_config {
     const struct twd_model *model;
-    struct twd_cpg_config oscillators; /* of all CPGs; the paper's tick is 0.01 s */
+    /* Of all CPGs; the paper's tick is 0.01 s. */
+    struct twd_cpg_config oscillators;
     enum twd_phase_start phase_start;
     enum twd_saturation saturation;
     struct twd_parameter_ranges ranges;
-    uint8_t joints; /* as many as the model's topologies drive */
+    /* As many as the model's topologies drive. */
+    uint8_t joints;
     struct twd_joint joint[TWD_MAX_JOINTS];
-    uint8_t fingers; /* 0: no gravity compensation */
+    /* 0: no gravity compensation. */
+    uint8_t fingers;
     struct twd_finger finger[TWD_MAX_CHAINS];
 };
 
 /* How often a value was saturated since init. Counters stop at their maximum. */
 struct twd_saturations {
-    uint32_t
-        output; /* outputs saturated to [0, 1]: of the joints, or of each CPG's oscillators (enum twd_saturation) */
-    uint32_t torque; /* torques beyond the limit */
-    uint32_t
-        input; /* joints given an angle or velocity that was not a number, or beyond 1e6 (float, double) or at the ends of its type
-                       (fixed); they got zero torque */
+    /* Outputs saturated to [0, 1]: of the joints, or of each CPG's oscillators (enum twd_saturation). */
+    uint32_t output;
+    /* Torques beyond the limit. */
+    uint32_t torque;
+    /* Joints given an angle or velocity that was not a number, or beyond 1e6 (float, double) or at the ends of its
+     * type (fixed); they got zero torque. */
+    uint32_t input;
 };
 
 /* A running controller. Fields may be read. */
 struct twd_controller {
     struct twd_controller_config config;
-    struct twd_cpg cpg;           /* all CPGs of the model */
-    twd_num weight[TWD_MAX_CPGS]; /* the selector's s_k of this trial */
+    /* All CPGs of the model. */
+    struct twd_cpg cpg;
+    /* The selector's s_k of this trial. */
+    twd_num weight[TWD_MAX_CPGS];
     struct twd_saturations saturations;
 };
 
-/* Prepare `controller`. `config` may be the controller's own, filled in place. Errors name what does not hold together in
- * `config`. */
+/* Prepare `controller`. `config` may be the controller's own, filled in place. Errors name what does not hold together
+ * in `config`. */
 enum twd_error twd_controller_init(struct twd_controller *controller, const struct twd_controller_config *config);
 
 /* Start a trial with `count` parameters in [0, 1] (order: model.h). On an error the controller is as it was. */

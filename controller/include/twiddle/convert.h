@@ -1,7 +1,7 @@
 /* convert.h: numbers of the library from and to double, for hosts, tests and chips with double arithmetic.
  *
- * In the fixed build a value is rounded to nearest and stays at the ends of its type's range; what is not finite becomes
- * the one word that is no number, which a set-up refuses and a tick counts as an input that is not usable. */
+ * In the fixed build a value is rounded to nearest and stays at the ends of its type's range; what is not finite
+ * becomes the one word that is no number, which a set-up refuses and a tick counts as an input that is not usable. */
 #ifndef TWIDDLE_CONVERT_H
 #define TWIDDLE_CONVERT_H
 

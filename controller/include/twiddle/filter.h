@@ -2,8 +2,8 @@
  *
  * y'' = a (a/4 (Y - y) - y'), Ciancio et al. 2011, eqs. 13 and 14: amplitude and centre of an oscillator follow their
  * targets this way. The equation is linear with a double pole at -a/2, so a step of any length is a few multiplications
- * without integration error. How the state is kept and multiplied depends on the number build: float/filter.h and fixed/filter.h. The
- * target Y is handed to every function, and is the same from start to start.
+ * without integration error. How the state is kept and multiplied depends on the number build: float/filter.h and
+ * fixed/filter.h. The target Y is handed to every function, and is the same from start to start.
  *
  *     twd_filter_start      begin at `value` (y), at rest
  *     twd_filter_velocity   y' / (a/2), in the unit of y; y is the field `value`

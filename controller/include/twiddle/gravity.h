@@ -14,38 +14,51 @@ TWD_BEGIN_DECLARATIONS
 
 /* One joint and the link that it carries. */
 struct twd_chain_joint {
-    twd_num rotation[3][3];      /* the joint's frame at angle 0, in the parent link's frame; rows of the matrix */
-    twd_num origin_m[3];         /* its origin in the parent link's frame, m */
-    twd_num mass_kg;             /* the link's mass, kg */
-    twd_num centre_of_mass_m[3]; /* in the link's frame, which is the turned joint frame, m */
+    /* The joint's frame at angle 0, in the parent link's frame; rows of the matrix. */
+    twd_num rotation[3][3];
+    /* Its origin in the parent link's frame, m. */
+    twd_num origin_m[3];
+    /* The link's mass, kg. */
+    twd_num mass_kg;
+    /* In the link's frame, which is the turned joint frame, m. */
+    twd_num centre_of_mass_m[3];
 };
 
 /* A finger: const, in flash. */
 struct twd_chain {
-    uint8_t joints;                      /* 1..TWD_MAX_CHAIN_JOINTS */
-    const struct twd_chain_joint *joint; /* [joints], from the palm outwards */
+    /* 1..TWD_MAX_CHAIN_JOINTS */
+    uint8_t joints;
+    /* [joints], from the palm outwards. */
+    const struct twd_chain_joint *joint;
 };
 
 /* One moving joint and its link, ready for the tick. */
 struct twd_gravity_joint {
-    twd_num rotation[3][3]; /* as in the table */
-    twd_num moment_nm[3];   /* weight times centre of mass, in the link's frame, N m; all links beyond it counted as
-                               lying in the next joint's origin */
+    /* As in the table. */
+    twd_num rotation[3][3];
+    /* Weight times centre of mass, in the link's frame, N m; all links beyond it counted as lying in the next
+     * joint's origin. */
+    twd_num moment_nm[3];
 };
 
 /* A finger whose first `moving` joints move. */
 struct twd_gravity {
-    uint8_t moving;       /* 1..joints of the chain */
-    twd_num direction[3]; /* unit vector of gravity in the first joint's frame at angle 0 */
-    struct twd_gravity_joint joint[TWD_MAX_CHAIN_JOINTS]; /* [moving] */
-    twd_num pair_energy_j[3][3]; /* if two joints move: the finger's potential energy in J is the sum of these, times 1,
-                                    cos or sin of the first angle (rows) and of the second (columns) */
+    /* 1..joints of the chain. */
+    uint8_t moving;
+    /* Unit vector of gravity in the first joint's frame at angle 0. */
+    twd_num direction[3];
+    /* [moving] */
+    struct twd_gravity_joint joint[TWD_MAX_CHAIN_JOINTS];
+    /* If two joints move: the finger's potential energy in J is the sum of these, times 1, cos or sin of the first
+     * angle (rows) and of the second (columns). */
+    twd_num pair_energy_j[3][3];
 };
 
 /* Prepare `gravity` for `chain`: its first `moving` joints move, the others stay at `held_angle_rad` ([joints -
- * moving]; may be null if all move). `acceleration_m_s2` is gravity's size (0..20), `direction` its unit vector in the chain's
- * base frame. Errors: a null pointer; a chain too long; a number outside its range, a rotation that is none, and a chain
- * that weighs more than 1e6 N or whose links' moments sum to more than TWD_LARGEST_MOMENT_NM (fixed: 8 N and 4 N m). */
+ * moving]; may be null if all move). `acceleration_m_s2` is gravity's size (0..20), `direction` its unit vector in the
+ * chain's base frame. Errors: a null pointer; a chain too long; a number outside its range, a rotation that is none,
+ * and a chain that weighs more than 1e6 N or whose links' moments sum to more than TWD_LARGEST_MOMENT_NM (fixed: 8 N
+ * and 4 N m). */
 enum twd_error twd_gravity_init(struct twd_gravity *gravity, const struct twd_chain *chain, uint8_t moving,
                                 const twd_num *held_angle_rad, twd_wide acceleration_m_s2, const twd_num direction[3]);
 

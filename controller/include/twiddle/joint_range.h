@@ -15,7 +15,8 @@ struct twd_joint_range {
     twd_num upper_rad;
 };
 
-/* A fraction of the range, saturated to [0, 1], as an angle in [lower_rad, upper_rad]; what is no number counts as 0. */
+/* A fraction of the range, saturated to [0, 1], as an angle in [lower_rad, upper_rad]; what is no number counts as
+ * 0. */
 twd_num twd_joint_range_angle(const struct twd_joint_range *range, twd_num fraction);
 
 TWD_END_DECLARATIONS

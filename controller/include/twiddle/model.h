@@ -17,34 +17,46 @@ TWD_BEGIN_DECLARATIONS
 
 /* A model: const, in flash. */
 struct twd_model {
-    const char *name;                                  /* e.g. "cpg-h" */
-    uint8_t cpgs;                                      /* 1..TWD_MAX_CPGS; more than one are mixed by the selector */
-    const struct twd_topology *topology[TWD_MAX_CPGS]; /* [cpgs], in the selector's order */
+    /* For people, e.g. "cpg-h". */
+    const char *name;
+    /* 1..TWD_MAX_CPGS; more than one are mixed by the selector. */
+    uint8_t cpgs;
+    /* [cpgs], in the selector's order. */
+    const struct twd_topology *topology[TWD_MAX_CPGS];
 };
 
-/* The paper's models: each CPG alone, and the hierarchical one with C, M and S in this order. */
-extern const struct twd_model twd_model_c; /* 12 parameters, 8 without centre */
-extern const struct twd_model twd_model_m; /* 5, 3 */
-extern const struct twd_model twd_model_s; /* 2, 1 */
-extern const struct twd_model twd_model_h; /* 22, 15 */
+/* The paper's models: each CPG alone, and the hierarchical one with C, M and S in this order. They have 12, 5, 2 and 22
+ * parameters; without centre 8, 3, 1 and 15. */
+extern const struct twd_model twd_model_c;
+extern const struct twd_model twd_model_m;
+extern const struct twd_model twd_model_s;
+extern const struct twd_model twd_model_h;
 
 /* How many parameters `model` takes. */
 size_t twd_model_parameters(const struct twd_model *model, bool with_centre);
 
 /* The one table of ranges: what parameters 0 and 1 mean. Lags always span [0, 1) turn. */
 struct twd_parameter_ranges {
-    twd_num frequency_lower_hz; /* nu at 0; > 0 */
-    twd_num frequency_upper_hz; /* nu at 1; at most 5 */
-    twd_num lone_frequency_hz;  /* nu of a model in which no CPG chooses it */
-    twd_num amplitude_upper;    /* R at 1, of the joint's range, (0, 0.5]; R at 0 is 0 */
-    twd_num centre_lower;       /* C at 0, of the joint's range */
-    twd_num centre_upper;       /* C at 1, of the joint's range */
+    /* nu at 0; > 0. */
+    twd_num frequency_lower_hz;
+    /* nu at 1; at most 5. */
+    twd_num frequency_upper_hz;
+    /* nu of a model in which no CPG chooses it. */
+    twd_num lone_frequency_hz;
+    /* R at 1, of the joint's range, (0, 0.5]; R at 0 is 0. */
+    twd_num amplitude_upper;
+    /* C at 0, of the joint's range. */
+    twd_num centre_lower;
+    /* C at 1, of the joint's range. */
+    twd_num centre_upper;
 };
 
 /* What the parameters of one trial say. */
 struct twd_model_drive {
-    struct twd_cpg_drive cpg[TWD_MAX_CPGS]; /* [cpgs] */
-    twd_num weight[TWD_MAX_CPGS];           /* [cpgs] the selector's s_k, summing to 1 */
+    /* [cpgs] */
+    struct twd_cpg_drive cpg[TWD_MAX_CPGS];
+    /* [cpgs]: the selector's s_k, summing to 1. */
+    twd_num weight[TWD_MAX_CPGS];
 };
 
 /* Read `count` parameters, each in [0, 1], into `drive`; on an error `drive` is as it was. */

@@ -13,14 +13,22 @@ TWD_BEGIN_DECLARATIONS
 
 /* The state of one oscillator, and its targets: R and C of one trial. */
 struct twd_oscillator {
-    twd_phase phase;             /* theta, turns, 2^32 = one; wraps by itself */
-    struct twd_filter amplitude; /* r, of the joint's range, 0..0.5 */
-    struct twd_filter centre;    /* c, of the joint's range, 0..1; unused without centre */
-    twd_num amplitude_target;    /* R */
-    twd_num centre_target;       /* C */
-    twd_wide pull;               /* coupling sum of the coming tick as far as it is known, rad/s; 0 between two ticks */
-    twd_wide last_pull;          /* coupling sum of the last tick, rad/s */
-    twd_num output;              /* x after the last tick, of the joint's range, not saturated */
+    /* theta, turns, 2^32 = one; wraps by itself. */
+    twd_phase phase;
+    /* r, of the joint's range, 0..0.5. */
+    struct twd_filter amplitude;
+    /* c, of the joint's range, 0..1; unused without centre. */
+    struct twd_filter centre;
+    /* R */
+    twd_num amplitude_target;
+    /* C */
+    twd_num centre_target;
+    /* Coupling sum of the coming tick as far as it is known, rad/s; 0 between two ticks. */
+    twd_wide pull;
+    /* Coupling sum of the last tick, rad/s. */
+    twd_wide last_pull;
+    /* x after the last tick, of the joint's range, not saturated. */
+    twd_num output;
 };
 
 /* x = c + r cos(theta) */

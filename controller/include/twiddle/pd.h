@@ -13,9 +13,12 @@ TWD_BEGIN_DECLARATIONS
 
 /* Gains and limit of one joint. */
 struct twd_pd {
-    twd_num stiffness_nm_per_rad; /* Kp, > 0 */
-    twd_num damping_nms_per_rad;  /* Kd, >= 0 */
-    twd_num torque_limit_nm;      /* |T| is at most this, > 0 */
+    /* Kp, > 0. */
+    twd_num stiffness_nm_per_rad;
+    /* Kd, >= 0. */
+    twd_num damping_nms_per_rad;
+    /* |T| is at most this, > 0. */
+    twd_num torque_limit_nm;
 };
 
 /* The torque in N m before the limit is applied. */
@@ -41,8 +44,8 @@ static inline twd_num twd_pd_torque(const struct twd_pd *pd, twd_num desired_rad
  * semi-implicit Euler is stable at any h if its true inertia is at least 3/4 of M. The prediction knows no contact: a
  * joint that is stopped by one presses with Kp / D. The torque limit stays.
  *
- * TWD_ERROR_TICK for the period; TWD_ERROR_RANGE for gains or an inertia out of range, or a D above 1e6 (127 in the fixed build);
- * `stable` is  * then as it was. `stable` may be `pd` itself. */
+ * TWD_ERROR_TICK for the period; TWD_ERROR_RANGE for gains or an inertia out of range, or a D above 1e6 (127 in the
+ * fixed build); `stable` is then as it was. `stable` may be `pd` itself. */
 enum twd_error twd_pd_stable(const struct twd_pd *pd, twd_small inertia_kg_m2, twd_small period_s,
                              struct twd_pd *stable);
 

@@ -14,15 +14,19 @@ TWD_BEGIN_DECLARATIONS
 /* How one joint is driven. */
 struct twd_joint_setup {
     struct twd_pd pd;
-    twd_small inertia_kg_m2; /* effective inertia, from which twd_pd_stable makes gains; 0: they stay as they are */
+    /* Effective inertia, from which twd_pd_stable makes gains; 0: they stay as they are. */
+    twd_small inertia_kg_m2;
 };
 
 /* A finger whose weight is compensated. Its chain's first joints move, the others are held. */
 struct twd_finger_setup {
     const struct twd_chain *chain;
-    uint8_t moving;                         /* 1..chain->joints */
-    uint8_t joint[TWD_MAX_CHAIN_JOINTS];    /* [moving] index into the controller's joints */
-    twd_num held_rad[TWD_MAX_CHAIN_JOINTS]; /* [chain->joints - moving] */
+    /* 1..chain->joints */
+    uint8_t moving;
+    /* [moving]: index into the controller's joints. */
+    uint8_t joint[TWD_MAX_CHAIN_JOINTS];
+    /* [chain->joints - moving] */
+    twd_num held_rad[TWD_MAX_CHAIN_JOINTS];
 };
 
 /* A controller: const, in flash. Pointers refer to arrays as long as the counts say. */
@@ -32,14 +36,22 @@ struct twd_setup {
     enum twd_phase_start phase_start;
     enum twd_saturation saturation;
     struct twd_parameter_ranges ranges;
-    twd_small torque_period_s;           /* of twd_controller_torque, (0, 0.1] s; counts where a joint has an inertia */
-    uint8_t joints;                      /* 1..TWD_MAX_JOINTS */
-    const struct twd_joint_range *range; /* [joints] */
-    const struct twd_joint_setup *joint; /* [joints] */
-    uint8_t fingers;                     /* 0..TWD_MAX_CHAINS; 0: no gravity compensation */
-    const struct twd_finger_setup *finger; /* [fingers] */
-    twd_wide gravity_m_s2;                 /* 0..20 */
-    twd_num gravity_direction[3];          /* unit vector in the chains' base frame */
+    /* Of twd_controller_torque, (0, 0.1] s; counts where a joint has an inertia. */
+    twd_small torque_period_s;
+    /* 1..TWD_MAX_JOINTS */
+    uint8_t joints;
+    /* [joints] */
+    const struct twd_joint_range *range;
+    /* [joints] */
+    const struct twd_joint_setup *joint;
+    /* 0..TWD_MAX_CHAINS; 0: no gravity compensation. */
+    uint8_t fingers;
+    /* [fingers] */
+    const struct twd_finger_setup *finger;
+    /* 0..20 */
+    twd_wide gravity_m_s2;
+    /* Unit vector in the chains' base frame. */
+    twd_num gravity_direction[3];
 };
 
 /* Write the configuration that `setup` asks for. Errors: a null table, too many joints or fingers, what twd_pd_stable

@@ -16,9 +16,12 @@ TWD_BEGIN_DECLARATIONS
 /* A skill: const, in flash. */
 struct twd_skill {
     struct twd_setup setup;
-    uint16_t trial_ticks;     /* how long the movement was when it was learned; it may go on for ever */
-    uint8_t parameters;       /* twd_model_parameters of its model */
-    const twd_num *parameter; /* [parameters] in [0, 1]; order: model.h */
+    /* How long the movement was when it was learned; it may go on for ever. */
+    uint16_t trial_ticks;
+    /* twd_model_parameters of its model. */
+    uint8_t parameters;
+    /* [parameters]: in [0, 1]; order: model.h. */
+    const twd_num *parameter;
 };
 
 /* Prepare `controller` for the skill, and start its movement. Errors: those of twd_setup_config, twd_controller_init

@@ -17,17 +17,23 @@ std::string number(double value)
     return c_constant(CType::num, value);
 }
 
-std::string row(const btVector3 &values)
+// Three numbers in braces behind `before` and ahead of `after`; one a line where a line has no room for them.
+std::string row(const std::string &before, const btVector3 &values, const std::string &after)
 {
-    return "{" + number(values.x()) + ", " + number(values.y()) + ", " + number(values.z()) + "}";
+    constexpr std::size_t columns = 120;
+    const std::string x = number(values.x()), y = number(values.y()), z = number(values.z());
+    const std::string line = before + "{" + x + ", " + y + ", " + z + "}" + after;
+    if (line.size() <= columns) return line + "\n";
+    const std::string next = ",\n" + std::string(before.size() + 1, ' ');
+    return before + "{" + x + next + y + next + z + "}" + after + "\n";
 }
 
 std::string range_line(const sim::HandModel &hand, Joint joint, const char *index)
 {
     const sim::HandLink &link = hand.links[hand.link_of_joint(joint_urdf_names[joint])];
     const std::string name = joint_urdf_names[joint];
-    return std::string("    [") + index + "] = {" + number(link.lower_rad) + ", " + number(link.upper_rad) + "}, /* " +
-           name + " */\n";
+    return "    /* " + name + " */\n    [" + index + "] = {" + number(link.lower_rad) + ", " + number(link.upper_rad) +
+           "},\n";
 }
 
 // Joint `finger`_0 to _3, each on the link of the one before.
@@ -43,11 +49,11 @@ std::string chain(const sim::HandModel &hand, const std::string &finger)
         parent = index;
         const btMatrix3x3 &rotation = link.X_parent_joint.getBasis();
         text += "    /* " + link.joint + " */\n";
-        text += "    {.rotation = {" + row(rotation[0]) + ",\n                  " + row(rotation[1]) +
-                ",\n                  " + row(rotation[2]) + "},\n";
-        text += "     .origin_m = " + row(link.X_parent_joint.getOrigin()) + ",\n";
+        text += row("    {.rotation = {", rotation[0], ",") + row("                  ", rotation[1], ",") +
+                row("                  ", rotation[2], "},");
+        text += row("     .origin_m = ", link.X_parent_joint.getOrigin(), ",");
         text += "     .mass_kg = " + number(link.mass_kg) + ",\n";
-        text += "     .centre_of_mass_m = " + row(link.p_link_com_m) + "},\n";
+        text += row("     .centre_of_mass_m = ", link.p_link_com_m, "},");
     }
     text += "};\n\nconst struct twd_chain twd_icub_" + finger + " = {.joints = " + std::to_string(chain_joints) +
             ", .joint = " + finger + "_joint};\n";

@@ -16,8 +16,10 @@ TWD_BEGIN_DECLARATIONS
 
 /* The estimator. */
 struct twd_critic {
-    uint8_t inputs;                  /* 1..TWD_MAX_INPUTS */
-    twd_wide weight[TWD_MAX_INPUTS]; /* w_i, 0 at first */
+    /* 1..TWD_MAX_INPUTS */
+    uint8_t inputs;
+    /* w_i, 0 at first. */
+    twd_wide weight[TWD_MAX_INPUTS];
 };
 
 /* Make an estimator of `inputs` inputs that expects 0. Error: more inputs than the array holds, or none. */

@@ -1,5 +1,5 @@
-/* learner_limits.h: the compile-time sizes of the learner's arrays. Raise or lower them with -DNAME=value, the same for the
- * library and the code that includes its headers. */
+/* learner_limits.h: the compile-time sizes of the learner's arrays. Raise or lower them with -DNAME=value, the same for
+ * the library and the code that includes its headers. */
 #ifndef TWIDDLE_LEARNER_LIMITS_H
 #define TWIDDLE_LEARNER_LIMITS_H
 

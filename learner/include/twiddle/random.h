@@ -20,7 +20,8 @@ void twd_random_seed(struct twd_random *random, uint64_t seed);
 /* The next 32 random bits. */
 uint32_t twd_random_next(struct twd_random *random);
 
-/* A uniform number in [-half_range, half_range), from the upper 24 bits of one draw, the same draw in every number build. */
+/* A uniform number in [-half_range, half_range), from the upper 24 bits of one draw, the same draw in every number
+ * build. */
 twd_num twd_random_symmetric(struct twd_random *random, twd_num half_range);
 
 TWD_END_DECLARATIONS

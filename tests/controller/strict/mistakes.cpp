@@ -1,4 +1,5 @@
-// Small mistakes with the numbers, one at a time: -DMISTAKE_NAME chooses it. With MISTAKE_none there is none, and this compiles.
+// Small mistakes with the numbers, one at a time: -DMISTAKE_NAME chooses it. With MISTAKE_none there is none, and this
+// compiles.
 #include <twiddle/number.h>
 
 twd_num mistake(twd_num a, twd_num b, twd_wide wide);

@@ -1,5 +1,5 @@
-# Compile SOURCE with -DMISTAKE_${MISTAKE}: the compiler must refuse it with MESSAGE among what it says; without a MESSAGE it must
-# take it.
+# Compile SOURCE with -DMISTAKE_${MISTAKE}: the compiler must refuse it with MESSAGE among what it says; without a
+# MESSAGE it must take it.
 execute_process(
   COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C ${COMPILER} -std=gnu++20 -fsyntax-only -DTWD_NUMBER_FIXED -DTWD_STRICT_TYPES
     -DMISTAKE_${MISTAKE} -I${INCLUDE} ${SOURCE}

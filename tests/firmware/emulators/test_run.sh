@@ -88,7 +88,8 @@ passes_on_arguments)
 refuses_arguments)
     status=0
     "$run" "$board" "$bin/emulator_stops" one 2>"$work/error" || status=$?
-    [[ $status == 2 && $(<"$work/error") == 'run: atmega1284p passes no arguments to its image' ]] || fail "said: $(<"$work/error")"
+    [[ $status == 2 && $(<"$work/error") == 'run: atmega1284p passes no arguments to its image' ]] ||
+        fail "said: $(<"$work/error")"
     ;;
 ends_a_hang_in_time)
     SECONDS=0

@@ -1,9 +1,10 @@
 /* fixed/filter.h: the filter of the fixed build (filter.h).
  *
- * With the error d = y - Y and s = d + y' / (a/2), a tick is s <- e s and d <- e (d + k s), where k = a h / 2 and e = exp(-k): three
- * multiplications. They are kept as what is taken away, d <- d - (1 - e) d + e k s, so that a slow filter has all bits of its factors:
- * 16 behind their first, and a shift. A relative error of 2^-16 in 1 - e shifts the course by that part of the time constant.
- * Rounding downwards stops d and s within 1 / (1 - e) units of 2^-28 of the target. */
+ * With the error d = y - Y and s = d + y' / (a/2), a tick is s <- e s and d <- e (d + k s), where k = a h / 2 and e =
+ * exp(-k): three multiplications. They are kept as what is taken away, d <- d - (1 - e) d + e k s, so that a slow
+ * filter has all bits of its factors: 16 behind their first, and a shift. A relative error of 2^-16 in 1 - e shifts the
+ * course by that part of the time constant. Rounding downwards stops d and s within 1 / (1 - e) units of 2^-28 of the
+ * target. */
 #ifndef TWIDDLE_FIXED_FILTER_H
 #define TWIDDLE_FIXED_FILTER_H
 
@@ -11,14 +12,18 @@ TWD_BEGIN_DECLARATIONS
 
 /* The transition of one tick. */
 struct twd_filter_step {
-    twd_factor mixing;   /* e k, less than 1 - e */
-    twd_factor decrease; /* 1 - e, below a half */
+    /* e k, less than 1 - e. */
+    twd_factor mixing;
+    /* 1 - e, below a half. */
+    twd_factor decrease;
 };
 
 /* The state. */
 struct twd_filter {
-    twd_num value; /* y */
-    twd_num lead;  /* s */
+    /* y */
+    twd_num value;
+    /* s */
+    twd_num lead;
 };
 
 /* The constants from k and e. */

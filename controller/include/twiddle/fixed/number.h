@@ -1,9 +1,10 @@
 /* fixed/number.h: the numbers of the fixed build (number.h): 32-bit words, exact and the same on every core.
  *
- * With TWD_STRICT_TYPES, for C++ alone, each format is a class without `*` and `/` (fixed/strict.hpp), and a compiler finds
- * every place that forgets a format; the code below is the same, since a cast to a format makes a number of its word and a
- * cast to int32_t gives the word back. The largest negative word is no number (convert.h); no operation makes it.
- * A right shift of a negative word is taken to keep the sign, as all compilers that we know do; a test holds them to it. */
+ * With TWD_STRICT_TYPES, for C++ alone, each format is a class without `*` and `/` (fixed/strict.hpp), and a compiler
+ * finds every place that forgets a format; the code below is the same, since a cast to a format makes a number of its
+ * word and a cast to int32_t gives the word back. The largest negative word is no number (convert.h); no operation
+ * makes it. A right shift of a negative word is taken to keep the sign, as all compilers that we know do; a test holds
+ * them to it. */
 #ifndef TWIDDLE_FIXED_NUMBER_H
 #define TWIDDLE_FIXED_NUMBER_H
 
@@ -26,8 +27,8 @@ typedef int32_t twd_small;
 #define TWD_RATE_BITS 20
 #define TWD_SMALL_BITS 34
 
-/* A constant of each type, rounded to nearest. A compiler whose double has 24 bits (avr-gcc) rounds it to these before; a half
- * added to such a number could round it once more, so what the truncation leaves over decides. */
+/* A constant of each type, rounded to nearest. A compiler whose double has 24 bits (avr-gcc) rounds it to these before;
+ * a half added to such a number could round it once more, so what the truncation leaves over decides. */
 #define TWD_FIXED_WORD(value, one)                                                                                     \
     ((int32_t)((value) * (one)) + (int32_t)(2.0 * ((value) * (one) - (double)(int32_t)((value) * (one)))))
 #define TWD_NUM(value) ((twd_num)TWD_FIXED_WORD(value, 268435456.0))
@@ -35,8 +36,8 @@ typedef int32_t twd_small;
 #define TWD_RATE(value) ((twd_rate)TWD_FIXED_WORD(value, 1048576.0))
 #define TWD_SMALL(value) ((twd_small)TWD_FIXED_WORD(value, 17179869184.0))
 
-/* A constant with more than 24 significant bits, given as its word too, so that it is the same wherever it is compiled; the
- * strict compile holds one against the other. */
+/* A constant with more than 24 significant bits, given as its word too, so that it is the same wherever it is compiled;
+ * the strict compile holds one against the other. */
 #if defined(TWD_STRICT_TYPES)
 #define TWD_NUM_CONSTANT(value, word) (twd_strict::checked(TWD_NUM(value), word))
 #define TWD_WIDE_CONSTANT(value, word) (twd_strict::checked(TWD_WIDE(value), word))
@@ -49,8 +50,8 @@ typedef int32_t twd_small;
 #define TWD_SMALL_CONSTANT(value, word) ((twd_small)(word))
 #endif
 
-/* The largest product of a filter's rate and the tick (fixed/filter.h), and the largest sum of the moments of a finger's
- * links, N m: no torque that they cause leaves the range. */
+/* The largest product of a filter's rate and the tick (fixed/filter.h), and the largest sum of the moments of a
+ * finger's links, N m: no torque that they cause leaves the range. */
 #define TWD_LARGEST_RATE_TIMES_TICK TWD_NUM(1.375)
 #define TWD_LARGEST_MOMENT_NM TWD_NUM(4)
 
@@ -169,8 +170,8 @@ static inline int32_t twd_add_mul_short(int32_t sum, int32_t a, uint32_t short_w
 #endif
 }
 
-/* A factor from 0 to below a half, of 16 bits behind its leading zeros: as cores with a long multiplication use it, in units of
- * 2^-32, and as cores that multiply by pieces do. */
+/* A factor from 0 to below a half, of 16 bits behind its leading zeros: as cores with a long multiplication use it, in
+ * units of 2^-32, and as cores that multiply by pieces do. */
 #if defined(TWD_MULTIPLIES_BY_PIECES)
 typedef struct {
     uint16_t digits;
@@ -251,7 +252,8 @@ static inline int32_t twd_saturated_word(int64_t value)
     return value < -INT32_MAX ? -INT32_MAX : (int32_t)value;
 }
 
-/* numerator / denominator, rounded to nearest, a half away from 0; saturated; a denominator of 0 counts as the smallest number. */
+/* numerator / denominator, rounded to nearest, a half away from 0; saturated; a denominator of 0 counts as the smallest
+ * number. */
 static inline int32_t twd_quotient_word(int64_t numerator, int32_t denominator)
 {
     const uint64_t size = numerator < 0 ? 0U - (uint64_t)numerator : (uint64_t)numerator;

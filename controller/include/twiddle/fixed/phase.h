@@ -51,14 +51,14 @@ static inline twd_phase twd_phase_from_fraction(twd_num fraction)
 
 static inline twd_num twd_cos_inline(twd_phase phase)
 {
-    /* s, half turns from the nearest multiple of half a turn, in [-1/2, 1/2), is the phase without its sign, and s^2 fits
-     * 2^-32 a unit. The polynomial needs only 16 bits of it. */
+    /* s, half turns from the nearest multiple of half a turn, in [-1/2, 1/2), is the phase without its sign, and s^2
+     * fits 2^-32 a unit. The polynomial needs only 16 bits of it. */
     const int32_t square = twd_high_word_of_square((int32_t)(phase << 1));
     const uint32_t short_square = (uint32_t)square & UINT32_C(0xFFFFC000);
 
-    /* cos(pi s) = (1/4 - s^2) Q(s^2), so that the zeros are exact; Q(0) = 4 makes cos(0) = 1. Q is the cubic polynomial of least
-     * maximum error, with the 16 bits of s^2, whose coefficients have 16 bits, too, which are cheap to load and to multiply by: found by
-     * trying those around the best one; maximum error 3.0e-6. In units of 2^-28. */
+    /* cos(pi s) = (1/4 - s^2) Q(s^2), so that the zeros are exact; Q(0) = 4 makes cos(0) = 1. Q is the cubic polynomial
+     * of least maximum error, with the 16 bits of s^2, whose coefficients have 16 bits, too, which are cheap to load
+     * and to multiply by: found by trying those around the best one; maximum error 3.0e-6. In units of 2^-28. */
     int32_t sum = -INT32_C(0x03C00000);
     sum = twd_add_mul_short(INT32_C(0x14880000), sum, short_square);
     sum = twd_add_mul_short(-INT32_C(0x3BD60000), sum, short_square);

@@ -1,5 +1,5 @@
-// fixed/strict.hpp: the formats of the fixed build as classes, so that a compiler finds every product of raw words and every
-// mixture of two formats. For checks only: compiled as C++20 with TWD_STRICT_TYPES.
+// fixed/strict.hpp: the formats of the fixed build as classes, so that a compiler finds every product of raw words and
+// every mixture of two formats. For checks only: compiled as C++20 with TWD_STRICT_TYPES.
 #ifndef TWIDDLE_FIXED_STRICT_HPP
 #define TWIDDLE_FIXED_STRICT_HPP
 

@@ -6,16 +6,22 @@ TWD_BEGIN_DECLARATIONS
 
 /* The transition of one tick of h seconds, with k = a h / 2 and e = exp(-k). */
 struct twd_filter_step {
-    twd_num error_from_error;       /* e (1 + k) */
-    twd_num error_from_velocity;    /* e k */
-    twd_num velocity_from_error;    /* -e k */
-    twd_num velocity_from_velocity; /* e (1 - k) */
+    /* e (1 + k) */
+    twd_num error_from_error;
+    /* e k */
+    twd_num error_from_velocity;
+    /* -e k */
+    twd_num velocity_from_error;
+    /* e (1 - k) */
+    twd_num velocity_from_velocity;
 };
 
 /* The state. */
 struct twd_filter {
-    twd_num value;    /* y */
-    twd_num velocity; /* y' / (a/2), in the unit of y */
+    /* y */
+    twd_num value;
+    /* y' / (a/2), in the unit of y. */
+    twd_num velocity;
 };
 
 /* The constants from k and e. */

@@ -1,5 +1,5 @@
-/* float/number.h: the numbers of the float and double builds (number.h). One type for all quantities, native operations;
- * nothing saturates before infinity. */
+/* float/number.h: the numbers of the float and double builds (number.h). One type for all quantities, native
+ * operations; nothing saturates before infinity. */
 #ifndef TWIDDLE_FLOAT_NUMBER_H
 #define TWIDDLE_FLOAT_NUMBER_H
 
@@ -26,8 +26,8 @@ typedef twd_num twd_small;
 #define TWD_RATE_CONSTANT(value, word) TWD_RATE(value)
 #define TWD_SMALL_CONSTANT(value, word) TWD_SMALL(value)
 
-/* The set-up refuses, and the tick counts, what is larger, in whatever unit; so no product of two overflows to infinity, and no
- * difference of such products fails to be a number. */
+/* The set-up refuses, and the tick counts, what is larger, in whatever unit; so no product of two overflows to
+ * infinity, and no difference of such products fails to be a number. */
 #define TWD_LARGEST_NUM TWD_NUM(1e6)
 #define TWD_LARGEST_RATE TWD_RATE(1e6)
 
