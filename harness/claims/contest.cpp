@@ -1,7 +1,7 @@
 #include "contest.hpp"
 
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
+#include "quantiles.hpp"
+
 #include <boost/random/uniform_int_distribution.hpp>
 
 #include <algorithm>
@@ -30,8 +30,7 @@ double widening_of(std::size_t runs)
 {
     if (runs < 2) return 1; // not resampled
     const auto n = static_cast<double>(runs);
-    return std::sqrt(n / (n - 1)) * boost::math::quantile(boost::math::students_t(n - 1), 1 - tail) /
-           boost::math::quantile(boost::math::normal(), 1 - tail);
+    return std::sqrt(n / (n - 1)) * student_quantile(n - 1, 1 - tail) / normal_quantile(1 - tail);
 }
 
 Entrant entrant_of(const Runs *cell)

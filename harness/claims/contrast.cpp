@@ -1,6 +1,6 @@
 #include "contrast.hpp"
 
-#include <boost/math/distributions/students_t.hpp>
+#include "quantiles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,8 +52,7 @@ std::optional<results::Interval> Contrast::interval() const
     }
     const double middle = value();
     if (!(sum_of_squares > 0)) return results::Interval{middle, middle};
-    const boost::math::students_t student(sum * sum / sum_of_squares);
-    const double half = boost::math::quantile(student, upper_share) * std::sqrt(sum);
+    const double half = student_quantile(sum * sum / sum_of_squares, upper_share) * std::sqrt(sum);
     return results::Interval{middle - half, middle + half};
 }
 
