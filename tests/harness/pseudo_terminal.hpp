@@ -1,7 +1,7 @@
 // pseudo_terminal.hpp: a pair of descriptors that looks like a serial port from one side.
 #pragma once
 
-#include "link/descriptor.hpp"
+#include "record/descriptor.hpp"
 
 #include <cstdlib>
 #include <stdexcept>
@@ -33,11 +33,11 @@ class PseudoTerminal
     }
     void close()
     {
-        chip_ = link::Descriptor();
+        chip_ = record::Descriptor();
     }
 
   private:
-    link::Descriptor chip_;
+    record::Descriptor chip_;
     std::string path_;
 };
 

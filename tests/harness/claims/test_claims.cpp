@@ -9,6 +9,7 @@
 namespace
 {
 
+using namespace twiddle::claims;
 using namespace twiddle::results;
 using twiddle::test::runs_of;
 

@@ -7,7 +7,8 @@ namespace
 {
 
 using namespace twiddle::test;
-using namespace twiddle::results;
+using namespace twiddle::claims;
+
 
 const std::string head = "# made up\nclaim,part,words,value,lower,upper,verdict,claim_verdict\n";
 

@@ -13,6 +13,7 @@
 namespace
 {
 
+using namespace twiddle::claims;
 using namespace twiddle::results;
 using twiddle::test::runs_of;
 using Values = std::vector<double>;

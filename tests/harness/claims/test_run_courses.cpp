@@ -8,7 +8,7 @@
 namespace
 {
 
-using namespace twiddle::results;
+using namespace twiddle::claims;
 using Values = std::vector<double>;
 
 // One row a control step of 10 ms, over 3 s, as trajectory.csv has them.

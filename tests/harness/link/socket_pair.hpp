@@ -2,7 +2,7 @@
 #pragma once
 
 #include "link/connection.hpp"
-#include "link/descriptor.hpp"
+#include "record/descriptor.hpp"
 
 #include <array>
 #include <stdexcept>
@@ -23,8 +23,8 @@ class SocketPair
         std::array<int, 2> ends{};
         if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
             throw std::runtime_error("cannot make a pair of sockets");
-        ours_ = link::Descriptor(ends[0]);
-        chips_ = link::Descriptor(ends[1]);
+        ours_ = record::Descriptor(ends[0]);
+        chips_ = record::Descriptor(ends[1]);
         ::fcntl(ours_.number(), F_SETFL, O_NONBLOCK);
     }
 
@@ -39,16 +39,16 @@ class SocketPair
     }
     void close_ours()
     {
-        ours_ = link::Descriptor();
+        ours_ = record::Descriptor();
     }
     void close_chips()
     {
-        chips_ = link::Descriptor();
+        chips_ = record::Descriptor();
     }
 
   private:
-    link::Descriptor ours_;
-    link::Descriptor chips_;
+    record::Descriptor ours_;
+    record::Descriptor chips_;
 };
 
 // The harness's end as the connection to "the chip", which is known to be dead if `death` says so.

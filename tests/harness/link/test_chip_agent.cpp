@@ -8,6 +8,8 @@
 
 #include "setups.hpp"
 
+#include <twiddle/convert.h>
+
 #include <gtest/gtest.h>
 
 #include <cstdint>

@@ -17,7 +17,7 @@ inline HandModel icub_hand()
     return read_hand_model(std::string(TWIDDLE_MODELS) + "/icub_right_hand.urdf");
 }
 
-inline Setup default_setup(const std::vector<Override> &overrides = {})
+inline settings::Setup default_setup(const std::vector<settings::Override> &overrides = {})
 {
     return test::load_setup("mid-a", overrides);
 }

@@ -75,7 +75,7 @@ TEST(Clearance, an_object_inside_a_finger_is_refused_by_name)
 class BulletJudge
 {
   public:
-    BulletJudge(const ObjectBody &body, const ObjectSetup &setup)
+    BulletJudge(const ObjectBody &body, const settings::ObjectSetup &setup)
         : dispatcher_(&configuration_), world_(&dispatcher_, &broadphase_, &configuration_), object_(body, setup, 0.002)
     {
         still_.setCollisionShape(object_.collider().getCollisionShape());
@@ -255,7 +255,7 @@ class Contact : public testing::TestWithParam<ContactCase>
                                capsule_radius_m);
     }
 
-    const ObjectSetup setup_ = default_setup().object;
+    const settings::ObjectSetup setup_ = default_setup().object;
     const ObjectBody body_ = object_body(read_object(TWIDDLE_MODELS, GetParam().object), setup_);
 };
 

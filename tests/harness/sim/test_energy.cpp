@@ -54,7 +54,7 @@ class FreeHand
     double potential_j() const;
 
   private:
-    Setup setup_;
+    settings::Setup setup_;
     ArticulatedHand hand_;
     btDefaultCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_;

@@ -8,6 +8,8 @@
 
 #include "setups.hpp"
 
+#include <twiddle/convert.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +22,6 @@ namespace
 {
 
 namespace id = btInverseDynamicsBullet3;
-using JointVector;
 
 constexpr double deg = M_PI / 180;
 

@@ -20,7 +20,6 @@ namespace
 
 using sim::ArticulatedHand;
 using sim::HandHold;
-using JointVector;
 
 constexpr double deg = M_PI / 180;
 constexpr double tolerance_m = 1e-9; // of positions; of the rotations' elements as well

@@ -21,7 +21,7 @@ using namespace twiddle::test;
 using twiddle::record::Json;
 using twiddle::record::RunSpecification;
 
-const SweepFolders folders = {TWIDDLE_MODELS, TWIDDLE_SETUPS};
+const SweepFolders here = {TWIDDLE_MODELS, TWIDDLE_SETUPS};
 
 RunSpecification some_defaults()
 {
@@ -35,12 +35,12 @@ RunSpecification some_defaults()
 
 SweepPlan plan_of(const std::string &name)
 {
-    return read_sweep_manifest(folders.setups.parent_path() / "sweeps" / (name + ".toml"), folders, some_defaults());
+    return read_sweep_manifest(here.setups.parent_path() / "sweeps" / (name + ".toml"), here, some_defaults());
 }
 
 SweepPlan plan_of_text(const ScratchFolder &folder, const std::string &text)
 {
-    return read_sweep_manifest(folder.write("mine.toml", text), folders, some_defaults());
+    return read_sweep_manifest(folder.write("mine.toml", text), here, some_defaults());
 }
 
 std::set<std::string> folders_of(const SweepPlan &plan)
@@ -131,12 +131,12 @@ TEST(SweepManifest, chosen_set_up_takes_the_manifests_place)
                                                     "[[runs]]\nobjects = [\"small-cube\"]\nmodels = [\"cpg-c\"]\n"
                                                     "seeds = 1\nvariant = \"soft\"\n"
                                                     "set = { \"contact.friction\" = 0.25 }\n");
-    const SweepPlan plan = read_sweep_manifest(path, folders, some_defaults(), "near");
+    const SweepPlan plan = read_sweep_manifest(path, here, some_defaults(), "near");
     EXPECT_EQ(plan.common.setup, "near");
     EXPECT_EQ(plan.runs.at(0).specification.settings, twiddle::test::load_setup("near").settings);
     EXPECT_EQ(plan.runs.at(1).specification.settings,
               twiddle::test::load_setup("near", {{"contact.friction", "0.25"}}).settings);
-    const std::string error = error_of([&] { read_sweep_manifest(path, folders, some_defaults(), "nowhere"); });
+    const std::string error = error_of([&] { read_sweep_manifest(path, here, some_defaults(), "nowhere"); });
     EXPECT_TRUE(is_one_sentence_with(error, {"there is no set-up \"nowhere\"", "near"})) << error;
 }
 
@@ -155,7 +155,7 @@ TEST(SweepManifest, planned_run_can_be_trained)
 {
     const ScratchFolder folder;
     RunSpecification run = plan_of("smoke").runs.at(0).specification;
-    run.number = TWD_NUMBER_NAME;
+    run.number = "float";
     twiddle::experiment::Training training(run, TWIDDLE_MODELS);
     EXPECT_EQ(training.run_trial().trial, 1U);
 }
@@ -210,7 +210,7 @@ TEST(SweepManifest, mistakes_are_named_with_file_and_line)
         const std::string error = error_of([&, &manifest = text] { plan_of_text(folder, manifest); });
         EXPECT_TRUE(is_one_sentence_with(error, {"mine.toml" + line, expected})) << text << "-> " << error;
     }
-    const std::string error = error_of([&] { read_sweep_manifest("/nowhere/a.toml", folders, some_defaults()); });
+    const std::string error = error_of([&] { read_sweep_manifest("/nowhere/a.toml", here, some_defaults()); });
     EXPECT_TRUE(is_one_sentence_with(error, {"/nowhere/a.toml", "no such file"})) << error;
 }
 

@@ -37,7 +37,7 @@ inline std::string name_of(const testing::TestParamInfo<FingerCase> &info)
     return name;
 }
 
-inline Setup setup_with_distal(const std::string &setup, int distal_deg)
+inline settings::Setup setup_with_distal(const std::string &setup, int distal_deg)
 {
     const std::string angle = std::to_string(distal_deg);
     return test::load_setup(setup, {{"hand.index_distal_deg", angle}, {"hand.thumb_distal_deg", angle}});
@@ -46,7 +46,7 @@ inline Setup setup_with_distal(const std::string &setup, int distal_deg)
 class BulletFinger
 {
   public:
-    BulletFinger(const Setup &setup, Finger finger)
+    BulletFinger(const settings::Setup &setup, Finger finger)
         : gravity_m_s2(gravity_palm_m_s2(setup.physics)),
           hand(icub_hand(), setup.hand, HandHold::welded), link{hand.controlled()[finger == Finger::index ? aai : ot],
                                                                 hand.controlled()[finger == Finger::index ? fei : fet]}

@@ -21,7 +21,7 @@ ObjectSpec small_sphere()
 }
 
 // What make_world refuses as not covered; empty if it makes a world.
-std::string refusal(Stepper stepper, const HandModel &hand, const Setup &setup, HandHold hold)
+std::string refusal(Stepper stepper, const HandModel &hand, const settings::Setup &setup, HandHold hold)
 {
     try {
         make_world(stepper, hand, small_sphere(), setup, hold);
