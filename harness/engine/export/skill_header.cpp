@@ -41,8 +41,8 @@ constexpr const char *layout =
 #ifndef @guard@
 #define @guard@
 
-#include <twiddle/learner.h>
 #include <twiddle/icub_right_hand.h>
+#include <twiddle/learner.h>
 #include <twiddle/skill.h>
 
 /* clang-format off */

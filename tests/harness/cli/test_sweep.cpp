@@ -127,8 +127,8 @@ TEST(Sweep, missing_replay_is_made_up_for_without_training)
 }
 
 // A set-up far beyond any hand: torques of 10 N m every 10 ms on an object of 1 g.
-const std::string wild_manifest = R"(trials = 1
-setup = "near"
+const std::string wild_manifest = "setup = \"" TWIDDLE_TEST_DATA R"(/setups/mid-a.toml"
+trials = 1
 stepper = "reference"
 [[runs]]
 objects = ["small-sphere"]

@@ -183,11 +183,10 @@ TEST(TrainOnChip, missing_firmware_is_told)
     const ScratchFolder folder;
     const fs::path bin = folder.path() / "build" / "host" / "bin";
     fs::create_directories(bin);
-    fs::copy_file(fs::path(TWIDDLE_PROGRAM).parent_path() / "twiddle-fixed", bin / "twiddle-fixed");
+    fs::copy_file(TWIDDLE_PROGRAM, bin / "twiddle");
     const std::string out = (folder.path() / "run").string();
     const std::string error = (folder.path() / "error").string();
-    const std::string command =
-        (bin / "twiddle-fixed").string() + " train --target microbit " + skill + out + " 2>" + error;
+    const std::string command = (bin / "twiddle").string() + " train --target microbit " + skill + out + " 2>" + error;
     EXPECT_NE(std::system(command.c_str()), 0);
     const std::string image = (folder.path() / "build/firmware/microbit-O2/bin/agent_fixed").string();
     EXPECT_EQ(text_of(error), "twiddle: there is no firmware '" + image + "'; make firmware builds it\n");
