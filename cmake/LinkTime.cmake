@@ -14,6 +14,8 @@ endfunction()
 
 function(twiddle_link_time_program target)
   target_compile_options(${target} PRIVATE ${TWIDDLE_LINK_TIME})
-  target_link_options(${target} PRIVATE ${TWIDDLE_LINK_TIME})
+  # Two types of one name, such as those of two builds of the C libraries, are an error.
+  target_link_options(${target} PRIVATE ${TWIDDLE_LINK_TIME}
+    "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Werror=odr;-Werror=lto-type-mismatch>")
   set_target_properties(${target} PROPERTIES TWIDDLE_LINK_TIME_PROGRAM ON)
 endfunction()
