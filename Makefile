@@ -146,8 +146,8 @@ bench-firmware: deps-run-firmware with-emulators ## count what controller and le
 
 # --- building ---
 
-# deps-GROUP-GROUP: the packages of these groups of scripts/install-deps. DEPS=no takes what is there, on machines whose packages are
-# somebody else's business.
+# deps-GROUP-GROUP: the packages of these groups of scripts/install-deps. DEPS=no takes what is there, on machines whose
+# packages are somebody else's business.
 DEPS ?= yes
 
 deps-%:
@@ -216,7 +216,8 @@ lint: deps-run-test-firmware-lint lint-format lint-rooms lint-tidy ## check the 
 lint-format: deps-lint
 	$(list) '*.c' '*.h' '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run -Werror
 
-# Which number type the C libraries have, and how their functions are called, is known in two rooms of the harness alone.
+# Which number type the C libraries have, and how their functions are called, is known in two rooms of
+# the harness alone.
 lint-rooms:
 	@others=$$(git grep -lE 'twd_|TWD_' -- harness | grep -vE '^harness/(engine|link)/'); [ -z "$$others" ] || \
 	{ echo "make: only harness/engine and harness/link may name the C libraries' functions, not:" $$others >&2; exit 1; }
@@ -225,8 +226,9 @@ LINT := $(BUILD)/lint
 COMMANDS := $(LINT)/compile_commands.json
 own_sources = sed -n 's|^ *"file": "\($(CURDIR)/.*\)",\{0,1\}$$|\1|p' $(COMMANDS) | grep -v '^$(CURDIR)/build/'
 
-# C++ takes most of the time: `make lint`, which every change must pass, leaves out its tests and benchmarks, and the static analyzer, which
-# `make analyze` runs. Without the analyzer clang's own warnings come through; of these, `|` between comparisons is meant where no branch is wanted.
+# C++ takes most of the time: `make lint`, which every change must pass, leaves out its tests and benchmarks, and the
+# static analyzer, which `make analyze` runs. Without the analyzer clang's own warnings come through; of these, `|`
+# between comparisons is meant where no branch is wanted.
 tidy = $(own_sources) | grep '[.]$(1)$$' | xargs -n 1 -P $$(nproc) clang-tidy -p $(LINT) --quiet
 tidy_harness = $(own_sources) | grep '/harness/.*[.]cpp$$' | grep -v '/tests/' | xargs -n 1 -P $$(nproc) \
     clang-tidy -p $(LINT) --quiet --checks=-clang-analyzer-* --extra-arg=-Wno-bitwise-instead-of-logical

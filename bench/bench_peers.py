@@ -1,6 +1,7 @@
 """Compares our simulation of the hand with MuJoCo's on the same objects and the same desired angles, in one run.
 
-Prints a table and writes it as CSV. Run by `make bench-peers`, with ../peers on the path; README.md says how to read it.
+Prints a table and writes it as CSV. Run by `make bench-peers`, with ../peers on the path; README.md says how to read
+it.
 """
 
 import argparse

@@ -1,5 +1,5 @@
-// Trials of CPG-C with random parameters, for a comparison with another engine (bench_peers.py): what the hand is asked to do,
-// what it did, how fast that was computed, and the mechanics of the hand as Bullet sees them. Prints CSV.
+// Trials of CPG-C with random parameters, for a comparison with another engine (bench_peers.py): what the hand is asked
+// to do, what it did, how fast that was computed, and the mechanics of the hand as Bullet sees them. Prints CSV.
 #include "work.hpp"
 
 #include "experiment/trial.hpp"

@@ -67,7 +67,8 @@ draws_all_figures_of_a_sweep_as_svg_and_png)
     for figure in $figures; do lacks "$figure" 0; done
     ;;
 draws_what_a_sweep_has)
-    # Of nine objects one, of four models two, of two ranks one: eight empty panels, two rows, two legends, four bars, one panel.
+    # Of nine objects one, of four models two, of two ranks one: eight empty panels, two rows, two legends, four
+    # bars, one panel.
     make_sweep large-cube 'cpg-m cpg-h' 1 150 -
     "$source/plots/draw-sweep" "$sweep" >"$work/out"
     drawn_in "$sweep/figures"

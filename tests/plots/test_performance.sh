@@ -1,5 +1,6 @@
 #!/bin/sh
-# test_performance.sh SOURCE_DIR SVG_CHECK CASE: one claim about plots/performance.gp or scripts/performance-table, on made-up speeds.
+# test_performance.sh SOURCE_DIR SVG_CHECK CASE: one claim about plots/performance.gp or scripts/performance-table,
+# on made-up speeds.
 set -eu
 source=$1
 svg_check=$2

@@ -1,5 +1,6 @@
 #!/bin/sh
-# test_make_paper.sh SOURCE_DIR BUILD_DIR CASE: one claim about `make paper`, with the programs in BUILD_DIR as they are.
+# test_make_paper.sh SOURCE_DIR BUILD_DIR CASE: one claim about `make paper`, with the programs in
+# BUILD_DIR as they are.
 set -eu
 source=$1
 build=$2

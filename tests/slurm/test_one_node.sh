@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# `make paper SWEEP=smoke ENGINE=slurm` on a Slurm of one node: a task is killed and requeued, and all results are those of
-# `make paper SWEEP=smoke` to the byte. Usage: test_one_node.sh SOURCE_FOLDER BUILD_FOLDER; exit status 77 where it cannot run.
+# `make paper SWEEP=smoke ENGINE=slurm` on a Slurm of one node: a task is killed and requeued, and all results are
+# those of `make paper SWEEP=smoke` to the byte. Usage: test_one_node.sh SOURCE_FOLDER BUILD_FOLDER; exit status 77
+# where it cannot run.
 set -euo pipefail
 
 source=$1
@@ -47,8 +48,8 @@ is_half_trained()
     [[ ! -e $1/trials.csv ]] && (($(grep -c '^[0-9]' "$1/trials.csv.part" 2>/dev/null) > 20))
 }
 
-# Stop a run while it is being trained, and set run (its index) and processes. A run of this sweep takes some tenths of a second: one
-# that ends before it is stopped is let go, and the next one is tried.
+# Stop a run while it is being trained, and set run (its index) and processes. A run of this sweep takes some tenths of
+# a second: one that ends before it is stopped is let go, and the next one is tried.
 stop_a_run()
 {
     local part folder

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/submit-sweep against stand-ins for Slurm's commands and for twiddle: what is submitted, and what it says where it cannot.
-# Each function is one claim. Usage: test_submit_sweep.sh PATH_OF_SUBMIT_SWEEP
+# scripts/submit-sweep against stand-ins for Slurm's commands and for twiddle: what is submitted, and what it says where
+# it cannot. Each function is one claim. Usage: test_submit_sweep.sh PATH_OF_SUBMIT_SWEEP
 set -euo pipefail
 
 submit_sweep=$(realpath "$1")
@@ -14,8 +14,8 @@ stand_in()
     chmod +x "$work/bin/$1"
 }
 
-# cluster MAX_ARRAY_SIZE MISSING...: a Slurm with an empty queue that takes every job, and a sweep of which some runs are missing.
-# sbatch logs its arguments and keeps the job's script as job-N, by the job's number N.
+# cluster MAX_ARRAY_SIZE MISSING...: a Slurm with an empty queue that takes every job, and a sweep of which some runs
+# are missing. sbatch logs its arguments and keeps the job's script as job-N, by the job's number N.
 cluster()
 {
     rm -rf "$work"
@@ -42,7 +42,8 @@ has_twiddle()
     stand_in twiddle "while [[ \$1 != --out ]]; do shift; done; mkdir -p \"\$2\"; $1"
 }
 
-# expect STATUS ARGUMENT... -- [OUTPUT_PART...]: run it in the scratch folder, check its exit status and that its output has every part.
+# expect STATUS ARGUMENT... -- [OUTPUT_PART...]: run it in the scratch folder, check its exit status and that its
+# output has every part.
 expect()
 {
     local wanted=$1 status=0 arguments=() part
