@@ -70,7 +70,7 @@ gnuplot:
 	@command -v gnuplot >/dev/null || \
 	{ echo "make: gnuplot is not installed; scripts/install-deps installs it" >&2; exit 1; }
 
-# --- the paper's experiments: a sweep of models/sweeps ---
+# --- the paper's experiments: a sweep of experiments/sweeps ---
 
 SWEEP ?= paper
 # A set-up for all of its runs, instead of the manifest's.
@@ -94,13 +94,13 @@ WAIT ?= 1
 paper: paper-$(ENGINE) ## train all runs of a sweep into results/SWEEP[-SETUP], make its tables and draw it; goes on where it was stopped: make paper SWEEP=smoke JOBS=2, SETUP=near or ENGINE=slurm
 
 paper-local: program gnuplot
-	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out $(RESULTS) --jobs $(JOBS) $(setup_option)
+	$(TWIDDLE) sweep experiments/sweeps/$(SWEEP).toml --out $(RESULTS) --jobs $(JOBS) $(setup_option)
 	+@$(MAKE) --no-print-directory paper-results
 
 # The results are made by a job on a machine that builds nothing, by a make of its own.
 paper-slurm: program
 	@scripts/submit-sweep --program $(TWIDDLE) $(if $(THROTTLE),--throttle '$(THROTTLE)') --sbatch '$(SBATCH_ARGS)' \
-	    $(if $(filter 0,$(WAIT)),--no-wait) $(setup_option) models/sweeps/$(SWEEP).toml $(RESULTS) \
+	    $(if $(filter 0,$(WAIT)),--no-wait) $(setup_option) experiments/sweeps/$(SWEEP).toml $(RESULTS) \
 	    make --no-print-directory paper-results SWEEP=$(SWEEP) RESULTS=$(RESULTS) BUILD=$(BUILD)
 
 paper-results: gnuplot ## make tables and figures from the complete runs of a sweep, with the program as it is built: make paper-results SWEEP=smoke
@@ -111,7 +111,7 @@ CALIBRATION := results/calibration
 
 .PHONY: calibrate
 calibrate: program ## search a set-up that comes near the paper's tables (up to two hours; goes on where it was stopped)
-	$(TWIDDLE) calibrate models/calibrations/paper.toml --out $(CALIBRATION) --jobs $(JOBS)
+	$(TWIDDLE) calibrate experiments/calibrations/paper.toml --out $(CALIBRATION) --jobs $(JOBS)
 
 .PHONY: confirm
 confirm: program ## replay CPG-H's policies of a sweep in both steppers, and print the rotations side by side: make confirm SWEEP=paper

@@ -57,7 +57,7 @@ set_up_has_a_folder_of_its_own)
     paper -n SWEEP=smoke >"$work/default"
     grep -q -- '--out results/smoke ' "$work/default" || fail "$(cat "$work/default")"
     ! grep -q -- '--setup' "$work/default" || fail "$(cat "$work/default")"
-    for setup in near models/setups/near.toml; do
+    for setup in near experiments/setups/near.toml; do
         paper -n SWEEP=smoke SETUP=$setup >"$work/near"
         grep -q -- "--out results/smoke-near .*--setup $setup" "$work/near" || fail "$(cat "$work/near")"
         grep -q 'summarize results/smoke-near' "$work/near" || fail "$(cat "$work/near")"
