@@ -48,8 +48,8 @@ bench: deps-run-bench with-bench ## measure the speed of the full loop and of th
 
 bench-peers: deps-run-bench with-bench peers ## compare speed and accuracy with MuJoCo from PyPI: make bench-peers PEERS_SETS=200
 	$(build) bench_rollouts
-	PYTHONPATH=peers $(PEERS_VENV)/bin/python -B bench/bench_peers.py --program $(BUILD)/bin/bench_rollouts --models models \
-	    --sets $(PEERS_SETS) --out build/bench/peers.csv
+	PYTHONPATH=peers $(PEERS_VENV)/bin/python -B bench/bench_peers.py \
+	    --program $(BUILD)/bin/bench_rollouts --models models --sets $(PEERS_SETS) --out build/bench/peers.csv
 
 PERFORMANCE := build/bench/performance
 
@@ -142,7 +142,8 @@ bench-firmware: deps-run-firmware with-emulators ## count what controller and le
 	@for board in $(BOARDS); do \
 	    scripts/quietly cmake --preset firmware-$$board-O2 -DTWIDDLE_CMSIS_DSP=$(abspath $(CMSIS_DSP)) && \
 	    scripts/quietly cmake --build --preset firmware-$$board-O2 --target bench_images --parallel $(JOBS) || exit 1; done
-	@python3 -B firmware/bench/bench_firmware.py --run firmware/emulators/run --images build/firmware --out build/bench/firmware.csv
+	@python3 -B firmware/bench/bench_firmware.py --run firmware/emulators/run --images build/firmware \
+	    --out build/bench/firmware.csv
 
 # --- building ---
 

@@ -302,7 +302,9 @@ def mjcf(models, object_name, settings, substeps, options=Options()):
     """The model as MJCF text, for steps of 10 ms / substeps. `models` is the folder models/, `settings` the merged
     ones."""
     if settings["contact"]["index_thumb_contact"]:
-        raise ValueError("the MuJoCo model has no contact between index and thumb; set contact.index_thumb_contact = false")
+        raise ValueError(
+            "the MuJoCo model has no contact between index and thumb; set contact.index_thumb_contact = false"
+        )
     if settings["hand"]["pd_law"] != "plain":
         raise ValueError("the MuJoCo model has the plain PD law alone; set hand.pd_law = plain")
     timestep_s = CONTROL_STEP_S / substeps

@@ -43,7 +43,8 @@ case $3 in
 killed_half_way_and_started_again_gives_the_same_tables)
     kill_half_way "$work/killed"
     for results in killed whole; do
-        paper SWEEP=smoke JOBS=2 RESULTS="$work/$results" >"$work/$results.log" 2>&1 || fail "$(cat "$work/$results.log")"
+        paper SWEEP=smoke JOBS=2 RESULTS="$work/$results" >"$work/$results.log" 2>&1 ||
+            fail "$(cat "$work/$results.log")"
     done
     grep -q '12 of 12 runs are complete.* before' "$work/killed.log" || fail "kept no run: $(cat "$work/killed.log")"
     for table in table1.csv table2.csv tables.md; do
@@ -78,7 +79,8 @@ says_that_gnuplot_is_missing)
     status=0
     env PATH="$work/bin" "$(command -v make)" --no-print-directory -C "$source" gnuplot >"$work/log" 2>&1 || status=$?
     [ "$status" -eq 2 ] || fail "exit status $status, expected make's 2"
-    grep -q '^make: gnuplot is not installed; scripts/install-deps installs it$' "$work/log" || fail "$(cat "$work/log")"
+    grep -q '^make: gnuplot is not installed; scripts/install-deps installs it$' "$work/log" ||
+        fail "$(cat "$work/log")"
     ;;
 *) fail "no case $3" ;;
 esac

@@ -33,7 +33,8 @@ fail()
 # What a user types, but for the build, and with results in a folder of the test. It takes some seconds.
 paper()
 {
-    timeout 100 make --no-print-directory -C "$source" -o program paper SWEEP=smoke BUILD="$build" RESULTS="$work/$1" "${@:2}"
+    timeout 100 make --no-print-directory -C "$source" -o program paper SWEEP=smoke BUILD="$build" \
+        RESULTS="$work/$1" "${@:2}"
 }
 
 # The processes of the task that does a run, by its index: twiddle and its worker, one a line.
@@ -82,7 +83,8 @@ same_results()
     local run_json
     diff -r --exclude=run.json "$work/local" "$work/cluster" || return 1
     for run_json in $(cd "$work/local" && find . -name run.json); do
-        diff "$work/local/$run_json" <(sed "s|--out $work/cluster |--out $work/local |" "$work/cluster/$run_json") || return 1
+        diff "$work/local/$run_json" <(sed "s|--out $work/cluster |--out $work/local |" "$work/cluster/$run_json") ||
+            return 1
     done
 }
 
