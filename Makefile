@@ -48,8 +48,8 @@ bench: deps-run-bench with-bench ## measure the speed of the full loop and of th
 
 bench-peers: deps-run-bench with-bench peers ## compare speed and accuracy with MuJoCo from PyPI: make bench-peers PEERS_SETS=200
 	$(build) bench_rollouts
-	PYTHONPATH=peers $(PEERS_VENV)/bin/python -B bench/bench_peers.py --program $(BUILD)/bin/bench_rollouts --models models \
-	    --sets $(PEERS_SETS) --out build/bench/peers.csv
+	PYTHONPATH=peers $(PEERS_VENV)/bin/python -B bench/bench_peers.py \
+	    --program $(BUILD)/bin/bench_rollouts --models models --sets $(PEERS_SETS) --out build/bench/peers.csv
 
 PERFORMANCE := build/bench/performance
 
@@ -70,7 +70,7 @@ gnuplot:
 	@command -v gnuplot >/dev/null || \
 	{ echo "make: gnuplot is not installed; scripts/install-deps installs it" >&2; exit 1; }
 
-# --- the paper's experiments: a sweep of models/sweeps ---
+# --- the paper's experiments: a sweep of experiments/sweeps ---
 
 SWEEP ?= paper
 # A set-up for all of its runs, instead of the manifest's.
@@ -94,13 +94,13 @@ WAIT ?= 1
 paper: paper-$(ENGINE) ## train all runs of a sweep into results/SWEEP[-SETUP], make its tables and draw it; goes on where it was stopped: make paper SWEEP=smoke JOBS=2, SETUP=near or ENGINE=slurm
 
 paper-local: program gnuplot
-	$(TWIDDLE) sweep models/sweeps/$(SWEEP).toml --out $(RESULTS) --jobs $(JOBS) $(setup_option)
+	$(TWIDDLE) sweep experiments/sweeps/$(SWEEP).toml --out $(RESULTS) --jobs $(JOBS) $(setup_option)
 	+@$(MAKE) --no-print-directory paper-results
 
 # The results are made by a job on a machine that builds nothing, by a make of its own.
 paper-slurm: program
 	@scripts/submit-sweep --program $(TWIDDLE) $(if $(THROTTLE),--throttle '$(THROTTLE)') --sbatch '$(SBATCH_ARGS)' \
-	    $(if $(filter 0,$(WAIT)),--no-wait) $(setup_option) models/sweeps/$(SWEEP).toml $(RESULTS) \
+	    $(if $(filter 0,$(WAIT)),--no-wait) $(setup_option) experiments/sweeps/$(SWEEP).toml $(RESULTS) \
 	    make --no-print-directory paper-results SWEEP=$(SWEEP) RESULTS=$(RESULTS) BUILD=$(BUILD)
 
 paper-results: gnuplot ## make tables and figures from the complete runs of a sweep, with the program as it is built: make paper-results SWEEP=smoke
@@ -111,7 +111,7 @@ CALIBRATION := results/calibration
 
 .PHONY: calibrate
 calibrate: program ## search a set-up that comes near the paper's tables (up to two hours; goes on where it was stopped)
-	$(TWIDDLE) calibrate models/calibrations/paper.toml --out $(CALIBRATION) --jobs $(JOBS)
+	$(TWIDDLE) calibrate experiments/calibrations/paper.toml --out $(CALIBRATION) --jobs $(JOBS)
 
 .PHONY: confirm
 confirm: program ## replay CPG-H's policies of a sweep in both steppers, and print the rotations side by side: make confirm SWEEP=paper
@@ -142,12 +142,13 @@ bench-firmware: deps-run-firmware with-emulators ## count what controller and le
 	@for board in $(BOARDS); do \
 	    scripts/quietly cmake --preset firmware-$$board-O2 -DTWIDDLE_CMSIS_DSP=$(abspath $(CMSIS_DSP)) && \
 	    scripts/quietly cmake --build --preset firmware-$$board-O2 --target bench_images --parallel $(JOBS) || exit 1; done
-	@python3 -B firmware/bench/bench_firmware.py --run firmware/emulators/run --images build/firmware --out build/bench/firmware.csv
+	@python3 -B firmware/bench/bench_firmware.py --run firmware/emulators/run --images build/firmware \
+	    --out build/bench/firmware.csv
 
 # --- building ---
 
-# deps-GROUP-GROUP: the packages of these groups of scripts/install-deps. DEPS=no takes what is there, on machines whose packages are
-# somebody else's business.
+# deps-GROUP-GROUP: the packages of these groups of scripts/install-deps. DEPS=no takes what is there, on machines whose
+# packages are somebody else's business.
 DEPS ?= yes
 
 deps-%:
@@ -216,7 +217,8 @@ lint: deps-run-test-firmware-lint lint-format lint-rooms lint-tidy ## check the 
 lint-format: deps-lint
 	$(list) '*.c' '*.h' '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run -Werror
 
-# Which number type the C libraries have, and how their functions are called, is known in two rooms of the harness alone.
+# Which number type the C libraries have, and how their functions are called, is known in two rooms of
+# the harness alone.
 lint-rooms:
 	@others=$$(git grep -lE 'twd_|TWD_' -- harness | grep -vE '^harness/(engine|link)/'); [ -z "$$others" ] || \
 	{ echo "make: only harness/engine and harness/link may name the C libraries' functions, not:" $$others >&2; exit 1; }
@@ -225,8 +227,9 @@ LINT := $(BUILD)/lint
 COMMANDS := $(LINT)/compile_commands.json
 own_sources = sed -n 's|^ *"file": "\($(CURDIR)/.*\)",\{0,1\}$$|\1|p' $(COMMANDS) | grep -v '^$(CURDIR)/build/'
 
-# C++ takes most of the time: `make lint`, which every change must pass, leaves out its tests and benchmarks, and the static analyzer, which
-# `make analyze` runs. Without the analyzer clang's own warnings come through; of these, `|` between comparisons is meant where no branch is wanted.
+# C++ takes most of the time: `make lint`, which every change must pass, leaves out its tests and benchmarks, and the
+# static analyzer, which `make analyze` runs. Without the analyzer clang's own warnings come through; of these, `|`
+# between comparisons is meant where no branch is wanted.
 tidy = $(own_sources) | grep '[.]$(1)$$' | xargs -n 1 -P $$(nproc) clang-tidy -p $(LINT) --quiet
 tidy_harness = $(own_sources) | grep '/harness/.*[.]cpp$$' | grep -v '/tests/' | xargs -n 1 -P $$(nproc) \
     clang-tidy -p $(LINT) --quiet --checks=-clang-analyzer-* --extra-arg=-Wno-bitwise-instead-of-logical

@@ -1,5 +1,5 @@
-// Speed of the full loop, of a whole training run, and of the controller's and the learner's parts, on one core, for the default
-// number type, set-up and substeps. Items are control steps, or calls of the part that is named.
+// Speed of the full loop, of a whole training run, and of the controller's and the learner's parts, on one core, for
+// the default number type, set-up and substeps. Items are control steps, or calls of the part that is named.
 #include "work.hpp"
 
 #include "experiment/training.hpp"
@@ -119,7 +119,8 @@ BENCHMARK_CAPTURE(full_loop, reference/large_cube, sim::Stepper::reference, "lar
 BENCHMARK_CAPTURE(training_run, fast/small_sphere, sim::Stepper::fast, "small-sphere")->Apply(one_run);
 BENCHMARK_CAPTURE(training_run, fast/medium_cylinder, sim::Stepper::fast, "medium-cylinder")->Apply(one_run);
 BENCHMARK_CAPTURE(training_run, fast/large_cube, sim::Stepper::fast, "large-cube")->Apply(one_run);
-BENCHMARK_CAPTURE(training_run, reference/small_sphere, sim::Stepper::reference, "small-sphere")->Apply(one_run); // a minute
+// A minute.
+BENCHMARK_CAPTURE(training_run, reference/small_sphere, sim::Stepper::reference, "small-sphere")->Apply(one_run);
 // clang-format on
 
 } // namespace

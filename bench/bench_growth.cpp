@@ -1,5 +1,5 @@
-// How the cost of the full loop (controller, torques at every substep, world) grows with substeps, fingers in contact, objects
-// and workers, and what memory a worker takes. Writes a CSV; its `#` lines say how to read it.
+// How the cost of the full loop (controller, torques at every substep, world) grows with substeps, fingers in contact,
+// objects and workers, and what memory a worker takes. Writes a CSV; its `#` lines say how to read it.
 #include "memory.hpp"
 #include "press.hpp"
 #include "work.hpp"
@@ -124,7 +124,8 @@ class Plan
                 add_workers(object, workers);
     }
 
-    // The repeats go through all timings in turn, so that what disturbs the machine for a while does not fall on one of them.
+    // The repeats go through all timings in turn, so that what disturbs the machine for a while does not
+    // fall on one of them.
     std::vector<Timing> run()
     {
         for (int repeat = 1; repeat <= options_.repeats; ++repeat) {

@@ -1,6 +1,7 @@
 """Compares our simulation of the hand with MuJoCo's on the same objects and the same desired angles, in one run.
 
-Prints a table and writes it as CSV. Run by `make bench-peers`, with ../peers on the path; README.md says how to read it.
+Prints a table and writes it as CSV. Run by `make bench-peers`, with ../peers on the path; README.md says how to read
+it.
 """
 
 import argparse
@@ -168,7 +169,8 @@ def header(arguments, settings):
     options = ", ".join(f"{name} {value}" for name, value in asdict(Options()).items())
     return [
         f"set-up {arguments.setup}, {arguments.sets} random CPG-C parameter vectors (seed {arguments.seed}), "
-        f"{STEPS} control steps each, {substeps} substeps; one core, medians of {arguments.repeats} alternating repeats",
+        f"{STEPS} control steps each, {substeps} substeps; one core, "
+        f"medians of {arguments.repeats} alternating repeats",
         f"ours: stepper {arguments.stepper}; r is the correlation of the trials' rotations with the reference stepper "
         f"at {CONVERGED_SUBSTEPS} substeps",
         f"MuJoCo {mujoco.__version__}: {options}; stepped by mujoco.batch on one thread",

@@ -1,5 +1,5 @@
-// Trials of CPG-C with random parameters, for a comparison with another engine (bench_peers.py): what the hand is asked to do,
-// what it did, how fast that was computed, and the mechanics of the hand as Bullet sees them. Prints CSV.
+// Trials of CPG-C with random parameters, for a comparison with another engine (bench_peers.py): what the hand is asked
+// to do, what it did, how fast that was computed, and the mechanics of the hand as Bullet sees them. Prints CSV.
 #include "work.hpp"
 
 #include "experiment/trial.hpp"
@@ -217,7 +217,7 @@ void print_mechanics(const Options &options)
 void add_options(CLI::App &app, Options &options)
 {
     app.add_option("--object", options.object, "name in models/objects");
-    app.add_option("--setup", options.setup, "name in models/setups")->capture_default_str();
+    app.add_option("--setup", options.setup, "name in experiments/setups")->capture_default_str();
     app.add_option("--stepper", options.stepper, "who steps the world")
         ->check(CLI::IsMember(sim::stepper_names()))
         ->capture_default_str();

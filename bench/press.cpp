@@ -31,7 +31,8 @@ std::vector<settings::Override> out_of_reach(int fingers, std::vector<settings::
 
 } // namespace
 
-Press::Press(const std::string &object, int fingers, const std::vector<settings::Override> &overrides, std::uint32_t seed)
+Press::Press(const std::string &object, int fingers, const std::vector<settings::Override> &overrides,
+             std::uint32_t seed)
     : runner_(make_runner(sim::Stepper::fast, object, out_of_reach(fingers, overrides)))
 {
     constexpr std::size_t wanted = 20, most = 2000;

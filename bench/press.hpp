@@ -10,8 +10,8 @@
 namespace twiddle::bench
 {
 
-// Random postures, each held for a trial, of which 20 count: those in which just `fingers` fingers touch the object at the end of
-// every control step of the trial's second half. For no fingers the object is out of reach.
+// Random postures, each held for a trial, of which 20 count: those in which just `fingers` fingers touch the object at
+// the end of every control step of the trial's second half. For no fingers the object is out of reach.
 class Press
 {
   public:

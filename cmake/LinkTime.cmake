@@ -4,8 +4,8 @@ set(TWIDDLE_LINK_TIME $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-flto=au
 
 # GCC optimises at link time whenever an object offers it, unless told not to.
 define_property(TARGET PROPERTY TWIDDLE_LINK_TIME_PROGRAM BRIEF_DOCS "Whether a program is optimised at link time")
-add_link_options(
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>,$<NOT:$<BOOL:$<TARGET_PROPERTY:TWIDDLE_LINK_TIME_PROGRAM>>>>:-fno-lto>)
+set(other_program $<NOT:$<BOOL:$<TARGET_PROPERTY:TWIDDLE_LINK_TIME_PROGRAM>>>)
+add_link_options($<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>,${other_program}>:-fno-lto>)
 
 function(twiddle_link_time_library target)
   target_compile_options(${target} PRIVATE ${TWIDDLE_LINK_TIME}

@@ -10,7 +10,8 @@ function(twiddle_number_suffix variable number)
   endif()
 endfunction()
 
-# twiddle_c_library(NAME SOURCES... DEPENDS NAMES...): twiddle_NAME for every number type, with include/ beside the caller.
+# twiddle_c_library(NAME SOURCES... DEPENDS NAMES...): twiddle_NAME for every number type, with include/
+# beside the caller.
 function(twiddle_c_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   foreach(number IN LISTS TWIDDLE_NUMBERS)

@@ -2,7 +2,8 @@
 
 The world is the palm frame. A link whose joint is held is merged with the link that carries it, as in
 harness/sim/articulated_hand.cpp. What differs from our model: box and cylinder have sharp edges (ours are rounded by
-[object] rounding_m), contacts begin at touch, and contacts, joint stops and hinge friction are MuJoCo's soft constraints.
+[object] rounding_m), contacts begin at touch, and contacts, joint stops and hinge friction are MuJoCo's soft
+constraints.
 """
 
 import math
@@ -298,9 +299,12 @@ def add_defaults(root, timestep_s, options):
 
 
 def mjcf(models, object_name, settings, substeps, options=Options()):
-    """The model as MJCF text, for steps of 10 ms / substeps. `models` is the folder models/, `settings` the merged ones."""
+    """The model as MJCF text, for steps of 10 ms / substeps. `models` is the folder models/, `settings` the merged
+    ones."""
     if settings["contact"]["index_thumb_contact"]:
-        raise ValueError("the MuJoCo model has no contact between index and thumb; set contact.index_thumb_contact = false")
+        raise ValueError(
+            "the MuJoCo model has no contact between index and thumb; set contact.index_thumb_contact = false"
+        )
     if settings["hand"]["pd_law"] != "plain":
         raise ValueError("the MuJoCo model has the plain PD law alone; set hand.pd_law = plain")
     timestep_s = CONTROL_STEP_S / substeps

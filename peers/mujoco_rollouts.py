@@ -9,8 +9,8 @@ from mujoco_state import controlled_joints
 
 
 def replay(model, desired_rad, substeps):
-    """One trial seen at the end of every control step: joint angles (control steps x joints) and rotations of the object
-    about palm +z, in rad. `desired_rad` is control steps x joints."""
+    """One trial seen at the end of every control step: joint angles (control steps x joints) and rotations of the
+    object about palm +z, in rad. `desired_rad` is control steps x joints."""
     data = mujoco.MjData(model)
     joints = controlled_joints(model)
     hinge = model.joint(HINGE).qposadr[0]

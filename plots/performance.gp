@@ -1,6 +1,6 @@
 # performance.gp: control steps a second as the work grows: substeps, fingers in contact, objects, workers.
 # Reads the CSV of bench_growth, whose `#` lines say what was measured and how.
-# Use: gnuplot -e "growth='docs/performance.csv'; output='FILE'; format='svg'" plots/performance.gp
+# Use: gnuplot -e "growth='docs/results/performance.csv'; output='FILE'; format='svg'" plots/performance.gp
 width = 900
 height = 760
 load ARG0[:strlen(ARG0) - strlen('performance.gp')] . 'style.gp'

@@ -25,7 +25,8 @@ function(twiddle_gtest_program target)
   set_source_files_properties(${ARG_SOURCES} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/harness)
   target_compile_definitions(${target} PRIVATE TWIDDLE_MODELS="${PROJECT_SOURCE_DIR}/models"
-    TWIDDLE_SETUPS="${PROJECT_SOURCE_DIR}/experiments/setups" TWIDDLE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/harness/data")
+    TWIDDLE_SETUPS="${PROJECT_SOURCE_DIR}/experiments/setups"
+    TWIDDLE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/harness/data")
   target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${ARG_PREFIX}" TEST_SUFFIX "${ARG_SUFFIX}"
     PROPERTIES ${ARG_PROPERTIES})

@@ -1,5 +1,5 @@
-/* icub_setup.h: controller and learner of the iCub hand for CPG-H with centre, as the set-up `paper` (models/setups)
- * makes them.
+/* icub_setup.h: controller and learner of the iCub hand for CPG-H with centre, as the set-up `paper`
+ * (experiments/setups) makes them.
  *
  * A board reads no TOML, so the values are constants here; a test holds them to the set-up's files. */
 #ifndef TWIDDLE_FIRMWARE_ICUB_SETUP_H

@@ -1,6 +1,7 @@
 // calibration_session.hpp: a calibration from its first point to its set-up; one that was interrupted goes on.
 //
-// A new start asks the search for the same points again, takes their rotations from candidates.csv, and trains what is missing.
+// A new start asks the search for the same points again, takes their rotations from candidates.csv, and trains
+// what is missing.
 #pragma once
 
 #include "candidate_log.hpp"
@@ -19,7 +20,8 @@ namespace twiddle::calibration
 class CalibrationSession
 {
   public:
-    // `common` gives hand, stepper and number type of all runs. Throws std::runtime_error if the folder is of another calibration.
+    // `common` gives hand, stepper and number type of all runs. Throws std::runtime_error if the folder is of
+    // another calibration.
     CalibrationSession(calibration::CalibrationPlan plan, results::PaperValues paper, record::RunSpecification common,
                        std::filesystem::path models, std::filesystem::path folder, std::size_t jobs);
 
@@ -34,7 +36,8 @@ class CalibrationSession
     // The candidate of a point, from the file or from runs; appended to candidates_. False after Ctrl-C.
     bool judge(const std::string &stage, std::size_t place, const calibration::Point &point,
                const calibration::Effort &effort);
-    // The error beyond which a point of `stage` is of no use: it would be neither a parent nor a finalist, nor the best of these.
+    // The error beyond which a point of `stage` is of no use: it would be neither a parent nor a finalist, nor
+    // the best of these.
     double error_limit(const std::string &stage) const;
     // Train object by object until the error, which only grows, is beyond the limit. False after Ctrl-C.
     bool train(Candidate &candidate, const calibration::Effort &effort) const;

@@ -1,6 +1,8 @@
-// candidate_log.hpp: candidates.csv of a calibration: every point that was tried, its settings, and what its runs came to.
+// candidate_log.hpp: candidates.csv of a calibration: every point that was tried, its settings, and what
+// its runs came to.
 //
-// The file is written anew after each point, under another name until it is whole, so that a calibration can go on from it.
+// The file is written anew after each point, under another name until it is whole, so that a calibration
+// can go on from it.
 #pragma once
 
 #include "plan.hpp"
@@ -28,13 +30,13 @@ struct Candidate {
 class CandidateLog
 {
   public:
-    // Read what an earlier start wrote to `path`, if anything; `cells` are the cells that are trained for a point, in order. Throws
-    // std::runtime_error if the file is of another calibration.
+    // Read what an earlier start wrote to `path`, if anything; `cells` are the cells that are trained for a point, in
+    // order. Throws std::runtime_error if the file is of another calibration.
     CandidateLog(std::filesystem::path path, const calibration::CalibrationPlan &plan,
                  const std::vector<results::Cell> &cells);
 
-    // The mean rotations that an earlier start found for the same stage, place and values; null if it did not come so far. Throws
-    // std::runtime_error if it tried other points.
+    // The mean rotations that an earlier start found for the same stage, place and values; null if it did not come so
+    // far. Throws std::runtime_error if it tried other points.
     const std::vector<double> *known(const Candidate &candidate, std::size_t tried) const;
 
     // Write all of `candidates`.

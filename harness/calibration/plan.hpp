@@ -59,8 +59,8 @@ struct CalibrationPlan {
     std::vector<Variable> variables;
 };
 
-// Read `path`; objects are those of `models_dir`, set-ups those of `setups_dir`. Throws std::runtime_error with one sentence
-// that names file, line, key and what was expected.
+// Read `path`; objects are those of `models_dir`, set-ups those of `setups_dir`. Throws std::runtime_error with one
+// sentence that names file, line, key and what was expected.
 CalibrationPlan read_calibration_plan(const std::filesystem::path &path, const std::filesystem::path &models_dir,
                                       const std::filesystem::path &setups_dir);
 

@@ -1,4 +1,5 @@
-// reach.hpp: where the fingers first touch an object, the geometry that a set-up must have before it is worth a training run.
+// reach.hpp: where the fingers first touch an object, the geometry that a set-up must have before it is
+// worth a training run.
 #pragma once
 
 #include "settings/setup.hpp"
@@ -35,7 +36,8 @@ class Reach
     // Whether no link of the straight hand touches the object.
     bool straight_hand_is_clear(const sim::ObjectSpec &object);
 
-    // The first FEI at `aai_deg`, and the first FET at `ot_deg`, at which the finger touches, deg; nothing up to `last_deg`.
+    // The first FEI at `aai_deg`, and the first FET at `ot_deg`, at which the finger touches, deg; nothing
+    // up to `last_deg`.
     std::optional<double> index_contact_deg(const sim::ObjectSpec &object, double aai_deg, double last_deg);
     std::optional<double> thumb_contact_deg(const sim::ObjectSpec &object, double ot_deg, double last_deg);
 

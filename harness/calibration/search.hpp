@@ -1,7 +1,7 @@
 // search.hpp: which points to try: random ones first, then ones near the best so far, a little nearer with each.
 //
-// A plain search, since an error that comes from learning jumps with its seed, and a derivative-free optimiser that trusts single
-// values is led astray by that. It asks for one point after the other and is the same on every machine.
+// A plain search, since an error that comes from learning jumps with its seed, and a derivative-free optimiser that
+// trusts single values is led astray by that. It asks for one point after the other and is the same on every machine.
 #pragma once
 
 #include "search_space.hpp"
@@ -22,8 +22,8 @@ struct SearchPlan {
     std::size_t parents = 1;
 };
 
-// Standard deviation of the step from a parent in each direction, from the first refined point to the last, and the chance of
-// another value where a variable is a list.
+// Standard deviation of the step from a parent in each direction, from the first refined point to the last, and the
+// chance of another value where a variable is a list.
 constexpr double first_spread = 0.15;
 constexpr double last_spread = 0.04;
 constexpr double chance_of_other_value = 0.1;

@@ -18,15 +18,16 @@ struct Variable {
     std::vector<nlohmann::json> values; // where it is a list; lower and upper then mean nothing
 };
 
-// Not a setting of its own: the natural frequency of all PD laws, rad/s. The set-up's stiffness goes with its square and the damping
-// with itself, from gains_reference_rad_s on, so that the damping ratio stays.
+// Not a setting of its own: the natural frequency of all PD laws, rad/s. The set-up's stiffness goes with its square
+// and the damping with itself, from gains_reference_rad_s on, so that the damping ratio stays.
 constexpr const char *gains_variable = "hand.natural_frequency_rad_s";
 constexpr double gains_reference_rad_s = 60; // of common.toml's gains
 
 // A value in [0, 1] a variable.
 using Point = std::vector<double>;
 
-// What the variables are at `point`. Numbers are rounded to three significant digits, to be settings that can be written down.
+// What the variables are at `point`. Numbers are rounded to three significant digits, to be settings that can
+// be written down.
 std::vector<nlohmann::json> values_at(const std::vector<Variable> &variables, const Point &point);
 
 // `base_settings` (settings::Setup::settings) with the variables' values in their places.

@@ -1,5 +1,5 @@
-// claim_list.cpp: the claims in words, and the measure, bound and side of each part. Bounds were fixed before the runs; where the
-// paper's words leave them open the comment says why this one.
+// claim_list.cpp: the claims in words, and the measure, bound and side of each part. Bounds were fixed before the runs;
+// where the paper's words leave them open the comment says why this one.
 
 #include "claims.hpp"
 
@@ -12,7 +12,8 @@ namespace
 // "In many cases the best performance is achieved by the hierarchical model": more than half of the objects.
 constexpr double most_objects = 0.5;
 
-// "Always of the CPG-H with the exception of" two of nine objects: seven of nine count, six do not; the bound lies between.
+// "Always of the CPG-H with the exception of" two of nine objects: seven of nine count, six do not; the
+// bound lies between.
 constexpr double nearly_all_objects = 6.5 / 9;
 
 // Halfway from one finger alone (0) to both alike (1/2).

@@ -1,9 +1,9 @@
-// claims.hpp: the paper's ten claims, each in parts that one measure can test, and a verdict on each by a rule that was fixed before
-// the runs.
+// claims.hpp: the paper's ten claims, each in parts that one measure can test, and a verdict on each by a rule that was
+// fixed before the runs.
 //
-// A part is supported if the 95 % interval of its value lies wholly on the claim's side of the bound, not supported if wholly on the
-// other, else undecided; not measured if the sweep lacks the runs or the files. A claim is not supported if any of its parts is not,
-// supported if all are, not measured if none is measured, else undecided.
+// A part is supported if the 95 % interval of its value lies wholly on the claim's side of the bound, not supported if
+// wholly on the other, else undecided; not measured if the sweep lacks the runs or the files. A claim is not supported
+// if any of its parts is not, supported if all are, not measured if none is measured, else undecided.
 #pragma once
 
 #include "claim_measures.hpp"
@@ -20,7 +20,8 @@ enum class Verdict { supported, not_supported, undecided, not_measured };
 // "supported", "not supported", "undecided", "not measured".
 std::string verdict_name(Verdict verdict);
 
-// Which of the paper's numbers have the same measure; Fig. 5 to 8 print none. Intervals can be had of table2_means alone.
+// Which of the paper's numbers have the same measure; Fig. 5 to 8 print none. Intervals can be had of
+// table2_means alone.
 enum class PaperTable { none, table1, table2_means, table2_spreads, table2_best };
 
 // One part of a claim. Texts hold no commas, since they stand in claims.csv.

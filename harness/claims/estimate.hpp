@@ -38,9 +38,10 @@ struct Need {
     const char *what; // "trajectory.csv", as it is named when it is missing
 };
 
-// The contrasts, all of which the claim says lie on `side`: the value is that of the one farthest from it, the interval's ends are
-// the farthest of their intervals' ends. With a bound between, the interval thus lies wholly on the claim's side exactly if all
-// contrasts' intervals do, and wholly on the other as soon as one does. Contrasts without cells are left out.
+// The contrasts, all of which the claim says lie on `side`: the value is that of the one farthest from it, the
+// interval's ends are the farthest of their intervals' ends. With a bound between, the interval thus lies wholly on the
+// claim's side exactly if all contrasts' intervals do, and wholly on the other as soon as one does. Contrasts without
+// cells are left out.
 Estimate estimate_of_all(const RunGrid &grid, const std::vector<Contrast> &contrasts, Side side, const Need &need);
 
 // The share of the contests that their first model wins.

@@ -1,4 +1,5 @@
-// learning_course.hpp: how a run came to what it learned: how fast its rotation rose, and where its mixture of CPGs went.
+// learning_course.hpp: how a run came to what it learned: how fast its rotation rose, and where its
+// mixture of CPGs went.
 #pragma once
 
 #include <array>
@@ -9,19 +10,19 @@
 namespace twiddle::claims
 {
 
-// Trials that are averaged before a learning curve is compared with a target: a fiftieth of the run, at least 1, at most 100.
-// A single trial carries exploration noise, and the first lucky one is no learning.
+// Trials that are averaged before a learning curve is compared with a target: a fiftieth of the run, at least 1, at
+// most 100. A single trial carries exploration noise, and the first lucky one is no learning.
 std::size_t smoothing_trials(std::size_t trials);
 
-// The first trial, counted from 1, at whose end the mean of the last smoothing_trials() rotations is at least `target_rad`; the
-// number of trials if there is none. `rotation_rad` holds one value a trial, at least one.
+// The first trial, counted from 1, at whose end the mean of the last smoothing_trials() rotations is at least
+// `target_rad`; the number of trials if there is none. `rotation_rad` holds one value a trial, at least one.
 std::size_t trials_to_reach(const std::vector<double> &rotation_rad, double target_rad);
 
 // The shares of CPG-C, -M and -S in the joint outputs, 0 to 1, of sum 1.
 using Mixture = std::array<double, 3>;
 
-// The share of the outputs that would have to change hands to make one mixture the other, 0 to 1: half the sum of the absolute
-// differences.
+// The share of the outputs that would have to change hands to make one mixture the other, 0 to 1: half the sum of the
+// absolute differences.
 double mixture_distance(const Mixture &a, const Mixture &b);
 
 // A run's mean mixtures; of the explored weights, whose noise the mean takes out.

@@ -27,15 +27,17 @@ struct RunGrid {
     const Runs *find(const std::string &object, const std::string &model, bool centre = true) const;
 };
 
-// Read the runs of the sweep's own settings (no variant). The sweep must be complete (read_cells); throws as read_run_measures.
+// Read the runs of the sweep's own settings (no variant). The sweep must be complete (read_cells); throws as
+// read_run_measures.
 RunGrid read_run_grid(const std::filesystem::path &folder, const results::Sweep &sweep,
                       const results::PaperValues &paper);
 
 // The paper's tables as made-up runs, so that its values go through the same measures as ours:
 // Table 1's rewards, one run a cell.
 RunGrid grid_of_table1(const results::PaperValues &paper);
-// Table 2's means and standard deviations: four runs a cell, as the paper states, half of them at mean - d and half at mean + d with
-// d = sd sqrt 3 / 2, which have both. Intervals of means are then those of the paper's own spread; how sure a spread is they do not say.
+// Table 2's means and standard deviations: four runs a cell, as the paper states, half of them at mean - d and half at
+// mean + d with d = sd sqrt 3 / 2, which have both. Intervals of means are then those of the paper's own spread; how
+// sure a spread is they do not say.
 RunGrid grid_of_table2(const results::PaperValues &paper);
 // Table 2's best runs, one run a cell.
 RunGrid grid_of_best(const results::PaperValues &paper);

@@ -36,8 +36,8 @@ struct RunMeasures {
 // The object for which alone the paper reports what the fingers do.
 constexpr const char *finger_object = "small-sphere";
 
-// Read the measures of `run` of the sweep in `folder`, which is complete. What needs a file or a column that the run does not have
-// stays empty. Throws std::runtime_error with one sentence that names a file that is there and malformed.
+// Read the measures of `run` of the sweep in `folder`, which is complete. What needs a file or a column that the run
+// does not have stays empty. Throws std::runtime_error with one sentence that names a file that is there and malformed.
 RunMeasures read_run_measures(const std::filesystem::path &folder, const results::Sweep &sweep,
                               const results::SweepRun &run);
 

@@ -12,12 +12,12 @@
 namespace twiddle::cli
 {
 
-// The models folder: --models, else the environment's TWIDDLE_MODELS, else where this program was built. Throws if there
-// is none.
+// The models folder: --models, else the environment's TWIDDLE_MODELS, else where this program was built. Throws
+// if there is none.
 std::filesystem::path models_dir(const std::string &option);
 
-// Where set-ups and calibrations are: `models` if it has setups/ of its own, else the experiments folder where this program
-// was built.
+// Where set-ups and calibrations are: `models` if it has setups/ of its own, else the experiments folder where this
+// program was built.
 std::filesystem::path experiments_dir(const std::filesystem::path &models);
 std::filesystem::path setups_dir(const std::filesystem::path &models);
 

@@ -1,7 +1,7 @@
 // agent.hpp: what acts, moves the hand and learns, whatever numbers it computes with and wherever it does so.
 //
-// Everything here is in doubles. An agent of another number type rounds what it is given to its own numbers, and what it
-// gives is exactly what it holds.
+// Everything here is in doubles. An agent of another number type rounds what it is given to its own numbers, and what
+// it gives is exactly what it holds.
 #pragma once
 
 #include "settings/joints.hpp"

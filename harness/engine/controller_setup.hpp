@@ -10,8 +10,8 @@
 namespace twiddle::engine::TWD_BUILD_NAMESPACE
 {
 
-// The controller of the iCub hand's index and thumb, in the joint order of settings/joints.hpp. Throws std::runtime_error
-// if the C library refuses a setting.
+// The controller of the iCub hand's index and thumb, in the joint order of settings/joints.hpp. Throws
+// std::runtime_error if the C library refuses a setting.
 twd_controller_config controller_config(const ControllerSetup &setup);
 
 // The learner of a run.

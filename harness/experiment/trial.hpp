@@ -35,8 +35,8 @@ class TrialWorld
                sim::HandHold hold);
 
     // Run a trial from the start: at every substep torque(const engine::JointReadings &, bool tick), which returns
-    // engine::JointCommands, says how to move; at each control step's end observer(const StepSample &, const sim::World &)
-    // is called.
+    // engine::JointCommands, says how to move; at each control step's end observer(const StepSample &, const
+    // sim::World &) is called.
     template <class Torque, class Observer> TrialResult run(Torque &&torque, Observer &&observer);
 
     // What it was made with.

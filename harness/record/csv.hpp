@@ -40,8 +40,8 @@ class CsvRow
     std::size_t cells_ = 0;
 };
 
-// Writes one table. The file has its name from finish() on (part_file.hpp); a writer that is destroyed before leaves NAME.part,
-// in which every row is whole.
+// Writes one table. The file has its name from finish() on (part_file.hpp); a writer that is destroyed before leaves
+// NAME.part, in which every row is whole.
 class CsvWriter
 {
   public:
@@ -49,7 +49,8 @@ class CsvWriter
     CsvWriter(const std::filesystem::path &path, const std::vector<std::string> &comments,
               const std::vector<std::string> &columns);
 
-    // Go on with the table in `path`.part after its first `kept_bytes` bytes, which end with a whole line (read_csv_part).
+    // Go on with the table in `path`.part after its first `kept_bytes` bytes, which end with a whole line
+    // (read_csv_part).
     CsvWriter(const std::filesystem::path &path, const std::vector<std::string> &columns, std::uintmax_t kept_bytes);
 
     // Append a row. Throws std::logic_error if it has not one value a column.

@@ -1,5 +1,5 @@
-# Writes OUTPUT, a header that names the commit of SOURCE_DIR; run at every build, and touches the file only when it changes.
-# "unknown" outside a git checkout, also where SOURCE_DIR lies inside the checkout of another project.
+# Writes OUTPUT, a header that names the commit of SOURCE_DIR; run at every build, and touches the file only when it
+# changes. "unknown" outside a git checkout, also where SOURCE_DIR lies inside the checkout of another project.
 set(commit unknown)
 find_program(GIT git)
 if(GIT)

@@ -39,8 +39,8 @@ template <class Value> bool json_holds(const Json &value)
     }
 }
 
-// The value of `key`, which `expected` describes, for example "a whole number". Throws std::runtime_error with one sentence that
-// names `path`, the key and what was expected.
+// The value of `key`, which `expected` describes, for example "a whole number". Throws std::runtime_error with one
+// sentence that names `path`, the key and what was expected.
 template <class Value>
 Value json_value(const Json &object, const std::string &key, const std::string &expected,
                  const std::filesystem::path &path)

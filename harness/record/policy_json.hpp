@@ -1,4 +1,5 @@
-// policy_json.hpp: policy.json, what a run has learned: the parameters to replay, and the learner's state to go on from.
+// policy_json.hpp: policy.json, what a run has learned: the parameters to replay, and the learner's
+// state to go on from.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// progress.hpp: how far a training run or a sweep of runs is: a bar that redraws itself on a terminal, plain lines elsewhere.
+// progress.hpp: how far a training run or a sweep of runs is: a bar that redraws itself on a terminal, plain
+// lines elsewhere.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// run_json.hpp: run.json, which names a training run completely: with the models folder, it is enough to repeat the run.
+// run_json.hpp: run.json, which names a training run completely: with the models folder, it is enough
+// to repeat the run.
 #pragma once
 
 #include <cstddef>

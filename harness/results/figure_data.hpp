@@ -1,5 +1,5 @@
-// figure_data.hpp: the numbers of a sweep's figures that its runs' files do not hold as they are, since the figures' scripts compute
-// nothing.
+// figure_data.hpp: the numbers of a sweep's figures that its runs' files do not hold as they are, since the figures'
+// scripts compute nothing.
 #pragma once
 
 #include "sweep_results.hpp"
@@ -27,7 +27,8 @@ struct CurvePoint {
 // The learning curve of a cell, in the order of the trials.
 std::vector<CurvePoint> learning_curve(const Cell &cell);
 
-// The cell's runs by the mean rotation over their last trials, the highest first, as indices; of equal ones the earlier listed first.
+// The cell's runs by the mean rotation over their last trials, the highest first, as indices; of equal ones the
+// earlier listed first.
 std::vector<std::size_t> ranking(const Cell &cell);
 
 // The text of learning_curves.csv: a row a point, cell by cell.

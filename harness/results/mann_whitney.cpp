@@ -45,8 +45,9 @@ double arrangements(std::size_t a, std::size_t b)
     return boost::math::binomial_coefficient<double>(static_cast<unsigned>(a + b), static_cast<unsigned>(a));
 }
 
-// How many arrangements of `a` and `b` values have U = 0, 1, ..., a b: the coefficients of the Gaussian binomial, the product of
-// (1 - q^(b + i)) / (1 - q^i) over i = 1 ... a. Whole numbers far below 2^63 for groups up to exact_group_size.
+// How many arrangements of `a` and `b` values have U = 0, 1, ..., a b: the coefficients of the Gaussian binomial, the
+// product of (1 - q^(b + i)) / (1 - q^i) over i = 1 ... a. Whole numbers far below 2^63 for groups up to
+// exact_group_size.
 std::vector<std::int64_t> arrangements_by_u(std::size_t a, std::size_t b)
 {
     std::vector<std::int64_t> count(a * b + 1, 0);

@@ -1,8 +1,8 @@
 // paper_distance.hpp: how far a sweep's rotations are from the paper's rewards.
 //
-// Rewards differ by factors, not by amounts, so that the distance is between logarithms: 0.5 means a factor of e^0.5 = 1.65 in the
-// root mean square. The paper does not state its unit: the distance is given with rewards read as rad, and with the one common
-// factor fitted that brings ours nearest to the paper's.
+// Rewards differ by factors, not by amounts, so that the distance is between logarithms: 0.5 means a factor of
+// e^0.5 = 1.65 in the root mean square. The paper does not state its unit: the distance is given with rewards read as
+// rad, and with the one common factor fitted that brings ours nearest to the paper's.
 #pragma once
 
 #include "paper_values.hpp"
@@ -34,8 +34,8 @@ struct PaperDistance {
 // At least one pair.
 PaperDistance distance_from_paper(const std::vector<PaperPair> &pairs);
 
-// The means of the cells of `objects` that the paper has too: Table 2's models with centre, and Table 1's CPG-H without. Cells of a
-// sweep's variants are left out.
+// The means of the cells of `objects` that the paper has too: Table 2's models with centre, and Table 1's CPG-H
+// without. Cells of a sweep's variants are left out.
 std::vector<PaperPair> paper_pairs(const std::vector<Cell> &cells, const PaperValues &paper,
                                    const std::vector<std::string> &objects);
 

@@ -1,5 +1,5 @@
-// paper_distance_text.hpp: how far a sweep is from the paper's tables, as CSV and as Markdown: on the objects that a calibration was
-// compared on, on those that it held out, and on all.
+// paper_distance_text.hpp: how far a sweep is from the paper's tables, as CSV and as Markdown: on the objects that a
+// calibration was compared on, on those that it held out, and on all.
 #pragma once
 
 #include "paper_distance.hpp"

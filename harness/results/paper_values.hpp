@@ -23,7 +23,8 @@ struct PaperValues {
     std::map<std::pair<std::string, std::string>, PaperCell> with_centre; // Table 2, by object and model
 };
 
-// Read table1.csv and table2.csv of `folder` (plots/paper). Throws std::runtime_error that names the file and what is wrong.
+// Read table1.csv and table2.csv of `folder` (plots/paper). Throws std::runtime_error that names the file
+// and what is wrong.
 PaperValues read_paper_values(const std::filesystem::path &folder);
 
 } // namespace twiddle::results

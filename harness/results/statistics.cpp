@@ -28,7 +28,8 @@ double mean_of_resample(const std::vector<double> &values, std::mt19937_64 &gene
     return sum / static_cast<double>(values.size());
 }
 
-// The middle 95 % of what `draw` gives from a generator that is seeded anew for every call, so that no group depends on others.
+// The middle 95 % of what `draw` gives from a generator that is seeded anew for every call, so that no group
+// depends on others.
 template <class Draw> Interval middle_of_resamples(const Draw &draw)
 {
     std::mt19937_64 generator(bootstrap_seed);

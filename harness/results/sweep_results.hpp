@@ -52,12 +52,13 @@ struct Cell {
 constexpr std::uint32_t most_last_trials = 500;
 std::uint32_t last_trials(const Sweep &sweep);
 
-// Read `folder`/sweep.json. Throws std::runtime_error with one sentence that names the file and what was expected, also for a run
-// that is listed twice.
+// Read `folder`/sweep.json. Throws std::runtime_error with one sentence that names the file and what was expected, also
+// for a run that is listed twice.
 Sweep read_sweep(const std::filesystem::path &folder);
 
-// The cells of the sweep, in the order in which its runs name them. Throws std::runtime_error with one sentence: how many runs are
-// not complete and up to five of their folders; or the file that is of another run than listed, or no whole log of its trials.
+// The cells of the sweep, in the order in which its runs name them. Throws std::runtime_error with one sentence: how
+// many runs are not complete and up to five of their folders; or the file that is of another run than listed, or no
+// whole log of its trials.
 std::vector<Cell> read_cells(const std::filesystem::path &folder, const Sweep &sweep);
 
 } // namespace twiddle::results

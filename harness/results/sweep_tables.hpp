@@ -36,7 +36,8 @@ struct CentreRow {
     std::string paper_reward; // empty where the paper has none
 };
 
-// Table 1: CPG-H with and without centre; also the other models that the sweep has without centre. By variant, object, model.
+// Table 1: CPG-H with and without centre; also the other models that the sweep has without centre. By
+// variant, object, model.
 std::vector<CentreRow> centre_table(const std::vector<Cell> &cells, const PaperValues &paper);
 
 // A model against the object's winner.

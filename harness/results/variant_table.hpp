@@ -1,4 +1,5 @@
-// variant_table.hpp: what the variants of a sweep change: each beside the same runs with the sweep's own settings, its base.
+// variant_table.hpp: what the variants of a sweep change: each beside the same runs with the sweep's own
+// settings, its base.
 #pragma once
 
 #include "statistics.hpp"

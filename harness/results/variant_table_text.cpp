@@ -11,8 +11,8 @@ namespace
 {
 
 const std::string resampling_text = "95 % percentile bootstrap interval of the difference, " +
-                                   std::to_string(bootstrap_resamples) +
-                                   " resamples of the runs within each object from a fixed seed";
+                                    std::to_string(bootstrap_resamples) +
+                                    " resamples of the runs within each object from a fixed seed";
 
 std::string signed_text(double value, int digits)
 {

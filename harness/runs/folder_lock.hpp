@@ -12,8 +12,8 @@ namespace twiddle::runs
 class FolderLock
 {
   public:
-    // Waits for some seconds for a process that is about to end. Throws std::runtime_error if the folder stays taken, or cannot be
-    // opened. A file system without locks gives none: then the user sees to it that nobody else is there.
+    // Waits for some seconds for a process that is about to end. Throws std::runtime_error if the folder stays taken,
+    // or cannot be opened. A file system without locks gives none: then the user sees to it that nobody else is there.
     explicit FolderLock(const std::filesystem::path &folder);
 
   private:

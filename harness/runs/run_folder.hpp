@@ -38,8 +38,8 @@ std::filesystem::path outline_beside(const std::filesystem::path &trajectory);
 // results/OBJECT/MODEL[-no-centre]/seed-N
 std::filesystem::path default_run_path(const record::RunSpecification &specification);
 
-// The run in the folder, if there is one of `specification`; nothing if the folder is missing or empty. Throws UsageError if
-// the folder holds anything else, with `advice` as the sentence's end; it is then to stay as it is.
+// The run in the folder, if there is one of `specification`; nothing if the folder is missing or empty. Throws
+// UsageError if the folder holds anything else, with `advice` as the sentence's end; it is then to stay as it is.
 std::optional<record::Run> claim(const RunFolder &folder, const record::RunSpecification &specification,
                                  const std::string &advice);
 

@@ -1,5 +1,5 @@
-// training_session.hpp: a training run from start, or from where it was interrupted, to its files. Who runs it reports its
-// progress and decides when to stop.
+// training_session.hpp: a training run from start, or from where it was interrupted, to its files. Who runs it reports
+// its progress and decides when to stop.
 #pragma once
 
 #include "experiment/training.hpp"
@@ -17,13 +17,13 @@
 namespace twiddle::runs
 {
 
-// Call start_anew() or resume(), then run_trial() until is_done(), then finish(). All throw std::runtime_error with one sentence;
-// the folder then holds a run that can be resumed, as it does when the program ends in between.
+// Call start_anew() or resume(), then run_trial() until is_done(), then finish(). All throw std::runtime_error with one
+// sentence; the folder then holds a run that can be resumed, as it does when the program ends in between.
 class TrainingSession
 {
   public:
-    // With an agent in this process, or one that `make_agent` makes. Throws with the folder untouched if the run's settings
-    // are refused, or the agent cannot be made.
+    // With an agent in this process, or one that `make_agent` makes. Throws with the folder untouched if the run's
+    // settings are refused, or the agent cannot be made.
     TrainingSession(RunFolder folder, record::Run run, const std::filesystem::path &models);
     TrainingSession(RunFolder folder, record::Run run, const std::filesystem::path &models,
                     const engine::AgentMaker &make_agent);
@@ -31,8 +31,8 @@ class TrainingSession
     // Start from the first trial; what the folder holds of an earlier start goes.
     void start_anew();
 
-    // Go on with the folder's unfinished log: learn again what it holds, and check that it is the same. `advice` ends the sentence
-    // if it is not; the log then stays as it is.
+    // Go on with the folder's unfinished log: learn again what it holds, and check that it is the same. `advice` ends
+    // the sentence if it is not; the log then stays as it is.
     void resume(const std::string &advice);
 
     std::uint32_t trials_done() const;

@@ -30,7 +30,8 @@ struct RecordedTrial {
     bool fault = false;
 };
 
-// The trials in `path`.part, none if there is no such file. Throws std::runtime_error that names the file if it is no log of trials.
+// The trials in `path`.part, none if there is no such file. Throws std::runtime_error that names the file if it is
+// no log of trials.
 std::vector<RecordedTrial> read_recorded_trials(const std::filesystem::path &path);
 
 } // namespace twiddle::runs

@@ -1,5 +1,5 @@
-// manifest_file.hpp: a TOML file that a user wrote, read value by value, with one sentence about whatever is wrong with it:
-// "FILE:LINE: what". All functions but has() throw it as std::runtime_error.
+// manifest_file.hpp: a TOML file that a user wrote, read value by value, with one sentence about whatever is wrong with
+// it: "FILE:LINE: what". All functions but has() throw it as std::runtime_error.
 #pragma once
 
 #include "toml_file.hpp"

@@ -17,14 +17,14 @@ namespace twiddle::sim
 {
 
 // welded: the fingers' held joints are rigid, and the fingers without a controlled joint are left out.
-// full: all 19 joints move; the fifteen others are to be held by motors (hand_holds.hpp).
+// full: all 19 joints move; the fifteen others are to be held by motors (reference/reference_world.cpp).
 enum class HandHold { welded, full };
 
 // Which finger a link belongs to; contacts are told apart by it.
 enum class Finger { index, thumb, other };
 
-// One link of the model as it takes part in the simulation. Links that cannot move against each other share one Bullet link,
-// whose frame is the principal frame at their common centre of mass.
+// One link of the model as it takes part in the simulation. Links that cannot move against each other share one Bullet
+// link, whose frame is the principal frame at their common centre of mass.
 struct ArticulatedLink {
     int model_link = 0; // index into HandModel::links
     Finger finger = Finger::other;
@@ -37,7 +37,8 @@ struct ArticulatedLink {
 class ArticulatedHand
 {
   public:
-    // Builds the multibody with the palm at X_palm_hand. Throws std::runtime_error if the model lacks a controlled joint.
+    // Builds the multibody with the palm at X_palm_hand. Throws std::runtime_error if the model lacks a
+    // controlled joint.
     ArticulatedHand(const HandModel &model, const settings::HandSetup &setup, HandHold hold);
 
     btMultiBody &body()
@@ -80,8 +81,8 @@ class ArticulatedHand
     // Set the angles of all moving joints at once, in the order of links() (rigid ones skipped), and update caches.
     void set_posture(const std::vector<double> &angle_rad);
 
-    // Bring link frames and colliders to where the multibody is; Bullet itself places only one collider a Bullet link. To be
-    // called after each step of the world.
+    // Bring link frames and colliders to where the multibody is; Bullet itself places only one collider a Bullet link.
+    // To be called after each step of the world.
     void place_colliders();
 
     // The frame of links()[link] in the palm frame.

@@ -18,8 +18,8 @@ struct Overlap {
         direction; // unit, from the object's surface towards the capsule: pushing the capsule this way separates them
 };
 
-// Overlap of a capsule (centre line from `start_m` to `end_m`, palm frame) with an object at `angle_rad`; nothing if they are
-// apart. Minkowski portal refinement of libccd, tolerance 1e-7 m.
+// Overlap of a capsule (centre line from `start_m` to `end_m`, palm frame) with an object at `angle_rad`; nothing if
+// they are apart. Minkowski portal refinement of libccd, tolerance 1e-7 m.
 std::optional<Overlap> capsule_overlap(const ObjectBody &object, double angle_rad, const btVector3 &start_m,
                                        const btVector3 &end_m, double radius_m);
 

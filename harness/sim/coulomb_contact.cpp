@@ -15,8 +15,8 @@ constexpr double least_share = 1e-12;
 constexpr int most_steps = 60;
 constexpr double tolerance = 1e-10;
 
-// The next multiplier where Newton's step leaves the bracket: 0 if that is not known to be too small (low < 0), else one between
-// them in magnitude, since a multiplier can have any.
+// The next multiplier where Newton's step leaves the bracket: 0 if that is not known to be too small (low < 0), else
+// one between them in magnitude, since a multiplier can have any.
 double between(double low, double high, double scale)
 {
     if (low < 0) return 0;
@@ -72,8 +72,8 @@ ContactVector CoulombContact::solve(const ContactVector &b, double &multiplier) 
     }
     const std::array<double, 2> c = {b[1] - coupling_[0] * b[0], b[2] - coupling_[1] * b[0]};
     const double enough = tolerance * normal_alone;
-    // The excess falls with the multiplier: for a large one the tangential impulse vanishes and the normal one stays. So either
-    // the excess at 0 is not positive and the contact sticks, or there is one root.
+    // The excess falls with the multiplier: for a large one the tangential impulse vanishes and the normal one stays.
+    // So either the excess at 0 is not positive and the contact sticks, or there is one root.
     double low = -1, high = std::numeric_limits<double>::infinity(); // low < 0: not even 0 is known to be too small
     Trial trial = try_multiplier(multiplier, normal_alone, c);
     for (int i = 0; i < most_steps; i++) {

@@ -22,7 +22,8 @@ struct ObjectSpec {
 // Read models/objects/NAME.urdf. Throws std::runtime_error with one sentence: an unknown name lists the known ones.
 ObjectSpec read_object(const std::filesystem::path &models_dir, const std::string &name);
 
-// The names of all objects in models/objects, in the paper's order (small, medium, large; sphere, cylinder, cube), others after.
+// The names of all objects in models/objects, in the paper's order (small, medium, large; sphere, cylinder,
+// cube), others after.
 std::vector<std::string> object_names(const std::filesystem::path &models_dir);
 
 } // namespace twiddle::sim

@@ -10,7 +10,8 @@ namespace twiddle::sim
 class RigidGroup
 {
   public:
-    // Join `link` at X_group_link. Its joint's drive adds `reflected_inertia_kg_m2` about the joint's axis, the link's z.
+    // Join `link` at X_group_link. Its joint's drive adds `reflected_inertia_kg_m2` about the joint's
+    // axis, the link's z.
     void add(const HandLink &link, const btTransform &X_group_link, double reflected_inertia_kg_m2);
 
     double mass_kg() const

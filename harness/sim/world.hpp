@@ -72,8 +72,8 @@ const std::vector<std::string> &stepper_names();
 // Throws std::out_of_range for a name that is none.
 Stepper stepper_of_name(const std::string &name);
 
-// Throws std::runtime_error with one sentence if the straight hand touches the object (it names link, object and depth), and
-// NotCovered if the stepper does not cover this hand or set-up.
+// Throws std::runtime_error with one sentence if the straight hand touches the object (it names link, object and
+// depth), and NotCovered if the stepper does not cover this hand or set-up.
 std::unique_ptr<World> make_world(Stepper stepper, const HandModel &hand, const ObjectSpec &object,
                                   const settings::Setup &setup, HandHold hold);
 

@@ -45,10 +45,10 @@ struct SweepFolders {
     std::filesystem::path setups;
 };
 
-// Read the manifest `path`; `defaults` gives set-up, stepper, hand and number type where it is silent, and `setup`, unless it is
-// empty, the set-up whatever the manifest says. Throws std::runtime_error with one sentence that names file, line, key and what was
-// expected: unknown keys and names, values out of range, a run that is listed twice, `set` without a variant, one variant
-// with two sets.
+// Read the manifest `path`; `defaults` gives set-up, stepper, hand and number type where it is silent, and `setup`,
+// unless it is empty, the set-up whatever the manifest says. Throws std::runtime_error with one sentence that names
+// file, line, key and what was expected: unknown keys and names, values out of range, a run that is listed twice, `set`
+// without a variant, one variant with two sets.
 SweepPlan read_sweep_manifest(const std::filesystem::path &path, const SweepFolders &folders,
                               const record::RunSpecification &defaults, const std::string &setup = "");
 

@@ -33,8 +33,9 @@ class SweepSession
     // Those of the runs `chosen` by their index that are not complete.
     std::vector<std::size_t> missing(const std::vector<std::size_t> &chosen) const;
 
-    // Train the runs `chosen` by their index, `jobs` at a time: a complete one is kept, an unfinished one goes on, one that
-    // fails leaves the others alone. After Ctrl-C, the runs stop after their current trial. Reports on standard error.
+    // Train the runs `chosen` by their index, `jobs` at a time: a complete one is kept, an unfinished one goes
+    // on, one that fails leaves the others alone. After Ctrl-C, the runs stop after their current trial. Reports
+    // on standard error.
     SweepOutcome run(const std::vector<std::size_t> &chosen, std::size_t jobs);
 
   private:

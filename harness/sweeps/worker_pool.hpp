@@ -1,7 +1,7 @@
 // worker_pool.hpp: tasks side by side, each in a process of its own.
 //
-// Processes, not threads: one that crashes takes no other along, and what Bullet keeps in globals belongs to one run. A worker
-// whose starter is gone, however it ended, is told so by its next report.
+// Processes, not threads: one that crashes takes no other along, and what Bullet keeps in globals belongs to one run. A
+// worker whose starter is gone, however it ended, is told so by its next report.
 #pragma once
 
 #include <array>
@@ -38,8 +38,8 @@ struct PoolListener {
     std::function<void()> tick; // about ten times a second
 };
 
-// Do all `tasks`, in their order, at most `jobs` at a time. After a stop signal (stop_request.hpp) no task is begun, and the workers
-// get the signal too. Throws std::runtime_error if there can be no more processes.
+// Do all `tasks`, in their order, at most `jobs` at a time. After a stop signal (stop_request.hpp) no task is begun,
+// and the workers get the signal too. Throws std::runtime_error if there can be no more processes.
 void do_tasks(const std::vector<std::size_t> &tasks, std::size_t jobs, const Work &work, const PoolListener &listener);
 
 } // namespace twiddle::sweeps

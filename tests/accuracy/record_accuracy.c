@@ -53,7 +53,7 @@ static twd_rate draw_rate(void)
     return twd_rate_from_double(4.0 + (double)draw(16) / 1024.0);
 }
 
-/* The iCub hand under CPG-H, with the widest frequency range of models/setups. The phases start at 0, so that the
+/* The iCub hand under CPG-H, with the widest frequency range of experiments/setups. The phases start at 0, so that the
  * couplings pull through the whole trial. */
 static struct twd_controller_config draw_config(bool with_centre, double tick_s)
 {

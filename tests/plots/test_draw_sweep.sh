@@ -7,7 +7,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 sweep=$work/sweep
 figures='fig5 fig6 fig7 fig8 table1 table2 contacts rotation'
-all_objects='small-sphere small-cylinder small-cube medium-sphere medium-cylinder medium-cube large-sphere large-cylinder large-cube'
+all_objects='small-sphere small-cylinder small-cube medium-sphere medium-cylinder medium-cube'
+all_objects="$all_objects large-sphere large-cylinder large-cube"
 all_models='cpg-s cpg-m cpg-c cpg-h'
 
 fail() {
@@ -67,7 +68,8 @@ draws_all_figures_of_a_sweep_as_svg_and_png)
     for figure in $figures; do lacks "$figure" 0; done
     ;;
 draws_what_a_sweep_has)
-    # Of nine objects one, of four models two, of two ranks one: eight empty panels, two rows, two legends, four bars, one panel.
+    # Of nine objects one, of four models two, of two ranks one: eight empty panels, two rows, two legends, four
+    # bars, one panel.
     make_sweep large-cube 'cpg-m cpg-h' 1 150 -
     "$source/plots/draw-sweep" "$sweep" >"$work/out"
     drawn_in "$sweep/figures"
@@ -79,7 +81,8 @@ draws_what_a_sweep_has)
     lacks table2 10
     lacks contacts 10
     lacks rotation 8
-    grep -q 'large cube, best runs: CPG-M seed 1, CPG-H seed 1' "$sweep/figures/fig6.svg" || fail 'fig6 does not name its runs'
+    grep -q 'large cube, best runs: CPG-M seed 1, CPG-H seed 1' "$sweep/figures/fig6.svg" ||
+        fail 'fig6 does not name its runs'
     ;;
 draws_a_sweep_of_one_short_run)
     make_sweep small-sphere cpg-s 1 3 -
@@ -92,13 +95,16 @@ leaves_variants_out_and_says_so)
     "$source/plots/draw-sweep" "$sweep" >"$work/out"
     drawn_in "$sweep/figures"
     for figure in $figures; do
-        grep -q 'without its variants' "$sweep/figures/$figure.svg" || fail "$figure.svg does not say that variants are left out"
+        grep -q 'without its variants' "$sweep/figures/$figure.svg" ||
+            fail "$figure.svg does not say that variants are left out"
         mv "$sweep/figures/$figure.svg" "$work/$figure.svg"
     done
     # Nothing of a variant is read.
     rm -r "$sweep/slippery"
     "$source/plots/draw-sweep" "$sweep" >"$work/out"
-    for figure in $figures; do cmp "$sweep/figures/$figure.svg" "$work/$figure.svg" || fail "$figure.svg is another one"; done
+    for figure in $figures; do
+        cmp "$sweep/figures/$figure.svg" "$work/$figure.svg" || fail "$figure.svg is another one"
+    done
     ;;
 has_nothing_to_draw_of_variants_alone)
     make_sweep small-sphere 'cpg-c cpg-h' 2 150 slippery
@@ -106,9 +112,11 @@ has_nothing_to_draw_of_variants_alone)
     ;;
 finds_the_stretches_of_contact)
     # The index touches at the ends of the 2nd, 3rd and 6th step of 10 ms, the thumb at the end of the 1st.
-    printf '%s\n' '# made up' time_s,index_contact_n,thumb_contact_n 0.01,0,1 0.02,1,0 0.03,0.5,0 0.04,0,0 0.05,0,0 0.06,2,0 |
+    printf '%s\n' '# made up' time_s,index_contact_n,thumb_contact_n \
+        0.01,0,1 0.02,1,0 0.03,0.5,0 0.04,0,0 0.05,0,0 0.06,2,0 |
         awk -v run=114 -f "$source/plots/sweep/contacts.awk" >"$work/out"
-    printf '%s\n' 114,thumb,0,0.01 114,index,0.01,0.03 114,index,0.05,0.06 | cmp - "$work/out" || fail "$(cat "$work/out")"
+    printf '%s\n' 114,thumb,0,0.01 114,index,0.01,0.03 114,index,0.05,0.06 | cmp - "$work/out" ||
+        fail "$(cat "$work/out")"
     ;;
 takes_any_folder_name)
     sweep="$work/it's \`a\` \$sweep %d \"x\""
@@ -118,7 +126,8 @@ takes_any_folder_name)
     ;;
 refuses_a_missing_file)
     for file in sweep.json table1.csv table2.csv figures/data/learning_curves.csv figures/data/best_runs.csv \
-        small-sphere/cpg-c/seed-1/trajectory.csv small-sphere/cpg-c/seed-1/object_outline.csv small-sphere/cpg-h/seed-2/trials.csv; do
+        small-sphere/cpg-c/seed-1/trajectory.csv small-sphere/cpg-c/seed-1/object_outline.csv \
+        small-sphere/cpg-h/seed-2/trials.csv; do
         make_sweep small-sphere 'cpg-c cpg-h' 2 20 -
         rm "$sweep/$file"
         refuses 2 "no readable $file" "$sweep"

@@ -1,5 +1,6 @@
 #!/bin/sh
-# test_performance.sh SOURCE_DIR SVG_CHECK CASE: one claim about plots/performance.gp or scripts/performance-table, on made-up speeds.
+# test_performance.sh SOURCE_DIR SVG_CHECK CASE: one claim about plots/performance.gp or scripts/performance-table,
+# on made-up speeds.
 set -eu
 source=$1
 svg_check=$2
@@ -15,7 +16,8 @@ fail() {
 # A CSV as bench_growth writes it, with MADE-UP numbers; nothing here was measured.
 make_growth() {
     awk 'function row(series, stepper, object, substeps, fingers, workers, quantity, value) {
-        printf "%s,%s,%s,%s,%s,%s,%s,%.6g,%.6g,%.6g,5\n", series, stepper, object, substeps, fingers, workers, quantity, \
+        printf "%s,%s,%s,%s,%s,%s,%s,%.6g,%.6g,%.6g,5\n", series, stepper, object, substeps, fingers, \
+            workers, quantity, \
             value, 0.9 * value, 1.1 * value
     }
     BEGIN {
@@ -27,9 +29,13 @@ make_growth() {
         split("small-sphere medium-cylinder large-cube", objects, " ")
         n = split("2 3 5 10 20 50 100", substeps, " ")
         for (o = 1; o <= 3; o++) {
-            for (s = 1; s <= n; s++) row("substeps", "fast", objects[o], substeps[s], "", 1, "control_steps_per_s", 2e6 / o / substeps[s])
-            for (s = 3; s < n; s++) row("substeps", "reference", objects[o], substeps[s], "", 1, "control_steps_per_s", 1e5 / o / substeps[s])
-            for (f = 0; f <= 2; f++) row("fingers", "fast", objects[o], 5, f, 1, "control_steps_per_s", 900000 / (o + f))
+            for (s = 1; s <= n; s++)
+                row("substeps", "fast", objects[o], substeps[s], "", 1, "control_steps_per_s", 2e6 / o / substeps[s])
+            for (s = 3; s < n; s++)
+                row("substeps", "reference", objects[o], substeps[s], "", 1, "control_steps_per_s",
+                    1e5 / o / substeps[s])
+            for (f = 0; f <= 2; f++)
+                row("fingers", "fast", objects[o], 5, f, 1, "control_steps_per_s", 900000 / (o + f))
             for (w = 1; w <= 4; w *= 2) {
                 row("workers", "fast", objects[o], 5, "", w, "control_steps_per_s", 100000 * w * o)
                 row("workers", "fast", objects[o], 5, "", w, "ratio_to_one_worker", 0.75 * w)

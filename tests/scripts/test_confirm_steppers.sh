@@ -27,7 +27,8 @@ stand_in() {
 [ -e "$2/run.json" ] || { echo "twiddle: '$2' is no folder of a run" >&2; exit 2; }
 more=0
 [ "$4" = fast ] || more=0.3
-printf '# stepper: %s\n# rotation_rad: %s\nstep,object_rad\n1,99\n' "$4" "$(echo "${2##*-} $more" | awk '{ print $1 + $2 }')" >"$6"
+printf '# stepper: %s\n# rotation_rad: %s\nstep,object_rad\n1,99\n' "$4" \
+    "$(echo "${2##*-} $more" | awk '{ print $1 + $2 }')" >"$6"
 END
     chmod +x "$twiddle"
 }
@@ -61,7 +62,8 @@ END
     ;;
 takes_what_the_program_trains)
     twiddle=$program
-    "$twiddle" train --object medium-sphere --model cpg-h --seed 1 --trials 200 --out "$sweep/medium-sphere/cpg-h/seed-1" \
+    "$twiddle" train --object medium-sphere --model cpg-h --seed 1 --trials 200 \
+        --out "$sweep/medium-sphere/cpg-h/seed-1" \
         >/dev/null 2>&1
     confirm
     [ "$status" -eq 0 ] || fail "$(cat "$work/error")"

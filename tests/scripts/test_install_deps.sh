@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/install-deps against stand-ins for dpkg-query, apt-get, sudo and id, which log how they were called; nothing is installed.
-# Each function is one claim. Usage: test_install_deps.sh PATH_OF_INSTALL_DEPS
+# scripts/install-deps against stand-ins for dpkg-query, apt-get, sudo and id, which log how they were called; nothing
+# is installed. Each function is one claim. Usage: test_install_deps.sh PATH_OF_INSTALL_DEPS
 set -euo pipefail
 
 install_deps=$1
@@ -44,7 +44,8 @@ has_apt_get()
     stand_in apt-get 'echo "apt-get $* [$DEBIAN_FRONTEND]" >>"'"$work"'/log"; exit '"${1:-0}"
 }
 
-# expect STATUS [OUTPUT_PART...]: run it for the groups in `groups`; check its exit status, and that its output has every part.
+# expect STATUS [OUTPUT_PART...]: run it for the groups in `groups`; check its exit status, and that its
+# output has every part.
 groups=()
 expect()
 {
@@ -69,7 +70,8 @@ expect_log()
     [[ $(<"$work/log") == "$1" ]] || refuse "calls other than: $1"
 }
 
-# asks_for GROUPS PACKAGES: a machine that has nothing is told these packages for these groups, and no more. Both are words.
+# asks_for GROUPS PACKAGES: a machine that has nothing is told these packages for these groups, and no
+# more. Both are words.
 asks_for()
 {
     local asked

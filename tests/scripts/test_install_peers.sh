@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/install-peers against a stand-in for python3, whose virtual environments hold a stand-in for pip; nothing is installed.
-# Each function is one claim. Usage: test_install_peers.sh SOURCE_DIR
+# scripts/install-peers against a stand-in for python3, whose virtual environments hold a stand-in for pip; nothing is
+# installed. Each function is one claim. Usage: test_install_peers.sh SOURCE_DIR
 set -euo pipefail
 
 source=$1

@@ -1,5 +1,6 @@
 #!/bin/sh
-# test_make_paper.sh SOURCE_DIR BUILD_DIR CASE: one claim about `make paper`, with the programs in BUILD_DIR as they are.
+# test_make_paper.sh SOURCE_DIR BUILD_DIR CASE: one claim about `make paper`, with the programs in
+# BUILD_DIR as they are.
 set -eu
 source=$1
 build=$2
@@ -42,7 +43,8 @@ case $3 in
 killed_half_way_and_started_again_gives_the_same_tables)
     kill_half_way "$work/killed"
     for results in killed whole; do
-        paper SWEEP=smoke JOBS=2 RESULTS="$work/$results" >"$work/$results.log" 2>&1 || fail "$(cat "$work/$results.log")"
+        paper SWEEP=smoke JOBS=2 RESULTS="$work/$results" >"$work/$results.log" 2>&1 ||
+            fail "$(cat "$work/$results.log")"
     done
     grep -q '12 of 12 runs are complete.* before' "$work/killed.log" || fail "kept no run: $(cat "$work/killed.log")"
     for table in table1.csv table2.csv tables.md; do
@@ -56,7 +58,7 @@ set_up_has_a_folder_of_its_own)
     paper -n SWEEP=smoke >"$work/default"
     grep -q -- '--out results/smoke ' "$work/default" || fail "$(cat "$work/default")"
     ! grep -q -- '--setup' "$work/default" || fail "$(cat "$work/default")"
-    for setup in near models/setups/near.toml; do
+    for setup in near experiments/setups/near.toml; do
         paper -n SWEEP=smoke SETUP=$setup >"$work/near"
         grep -q -- "--out results/smoke-near .*--setup $setup" "$work/near" || fail "$(cat "$work/near")"
         grep -q 'summarize results/smoke-near' "$work/near" || fail "$(cat "$work/near")"
@@ -77,7 +79,8 @@ says_that_gnuplot_is_missing)
     status=0
     env PATH="$work/bin" "$(command -v make)" --no-print-directory -C "$source" gnuplot >"$work/log" 2>&1 || status=$?
     [ "$status" -eq 2 ] || fail "exit status $status, expected make's 2"
-    grep -q '^make: gnuplot is not installed; scripts/install-deps installs it$' "$work/log" || fail "$(cat "$work/log")"
+    grep -q '^make: gnuplot is not installed; scripts/install-deps installs it$' "$work/log" ||
+        fail "$(cat "$work/log")"
     ;;
 *) fail "no case $3" ;;
 esac

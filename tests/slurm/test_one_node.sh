@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# `make paper SWEEP=smoke ENGINE=slurm` on a Slurm of one node: a task is killed and requeued, and all results are those of
-# `make paper SWEEP=smoke` to the byte. Usage: test_one_node.sh SOURCE_FOLDER BUILD_FOLDER; exit status 77 where it cannot run.
+# `make paper SWEEP=smoke ENGINE=slurm` on a Slurm of one node: a task is killed and requeued, and all results are
+# those of `make paper SWEEP=smoke` to the byte. Usage: test_one_node.sh SOURCE_FOLDER BUILD_FOLDER; exit status 77
+# where it cannot run.
 set -euo pipefail
 
 source=$1
@@ -32,7 +33,8 @@ fail()
 # What a user types, but for the build, and with results in a folder of the test. It takes some seconds.
 paper()
 {
-    timeout 100 make --no-print-directory -C "$source" -o program paper SWEEP=smoke BUILD="$build" RESULTS="$work/$1" "${@:2}"
+    timeout 100 make --no-print-directory -C "$source" -o program paper SWEEP=smoke BUILD="$build" \
+        RESULTS="$work/$1" "${@:2}"
 }
 
 # The processes of the task that does a run, by its index: twiddle and its worker, one a line.
@@ -47,8 +49,8 @@ is_half_trained()
     [[ ! -e $1/trials.csv ]] && (($(grep -c '^[0-9]' "$1/trials.csv.part" 2>/dev/null) > 20))
 }
 
-# Stop a run while it is being trained, and set run (its index) and processes. A run of this sweep takes some tenths of a second: one
-# that ends before it is stopped is let go, and the next one is tried.
+# Stop a run while it is being trained, and set run (its index) and processes. A run of this sweep takes some tenths of
+# a second: one that ends before it is stopped is let go, and the next one is tried.
 stop_a_run()
 {
     local part folder
@@ -81,7 +83,8 @@ same_results()
     local run_json
     diff -r --exclude=run.json "$work/local" "$work/cluster" || return 1
     for run_json in $(cd "$work/local" && find . -name run.json); do
-        diff "$work/local/$run_json" <(sed "s|--out $work/cluster |--out $work/local |" "$work/cluster/$run_json") || return 1
+        diff "$work/local/$run_json" <(sed "s|--out $work/cluster |--out $work/local |" "$work/cluster/$run_json") ||
+            return 1
     done
 }
 

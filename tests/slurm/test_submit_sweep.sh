@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/submit-sweep against stand-ins for Slurm's commands and for twiddle: what is submitted, and what it says where it cannot.
-# Each function is one claim. Usage: test_submit_sweep.sh PATH_OF_SUBMIT_SWEEP
+# scripts/submit-sweep against stand-ins for Slurm's commands and for twiddle: what is submitted, and what it says where
+# it cannot. Each function is one claim. Usage: test_submit_sweep.sh PATH_OF_SUBMIT_SWEEP
 set -euo pipefail
 
 submit_sweep=$(realpath "$1")
@@ -14,8 +14,8 @@ stand_in()
     chmod +x "$work/bin/$1"
 }
 
-# cluster MAX_ARRAY_SIZE MISSING...: a Slurm with an empty queue that takes every job, and a sweep of which some runs are missing.
-# sbatch logs its arguments and keeps the job's script as job-N, by the job's number N.
+# cluster MAX_ARRAY_SIZE MISSING...: a Slurm with an empty queue that takes every job, and a sweep of which some runs
+# are missing. sbatch logs its arguments and keeps the job's script as job-N, by the job's number N.
 cluster()
 {
     rm -rf "$work"
@@ -29,7 +29,8 @@ cluster()
     stand_in scontrol "echo 'MaxArraySize            = $1'"
     stand_in squeue "cat '$work/queue'"
     stand_in scancel "echo scancel \"\$@\" >>'$work/log'"
-    stand_in sbatch "cd '$work'; job=\$((\$(cat jobs) + 1)); echo \$job >jobs; echo \"\$@\" >>log; cat >job-\$job; echo \$job"
+    stand_in sbatch "cd '$work'; job=\$((\$(cat jobs) + 1)); echo \$job >jobs; echo \"\$@\" >>log
+cat >job-\$job; echo \$job"
     shift
     missing=("$@")
     has_twiddle "printf '%s\n' ${missing[*]+${missing[*]}}"
@@ -42,7 +43,8 @@ has_twiddle()
     stand_in twiddle "while [[ \$1 != --out ]]; do shift; done; mkdir -p \"\$2\"; $1"
 }
 
-# expect STATUS ARGUMENT... -- [OUTPUT_PART...]: run it in the scratch folder, check its exit status and that its output has every part.
+# expect STATUS ARGUMENT... -- [OUTPUT_PART...]: run it in the scratch folder, check its exit status and that its
+# output has every part.
 expect()
 {
     local wanted=$1 status=0 arguments=() part
@@ -52,7 +54,8 @@ expect()
         shift
     done
     shift
-    output=$(cd "$work" && PATH=$work/bin "$submit_sweep" --program "$work/bin/twiddle" "${arguments[@]}" 2>&1 </dev/null) || status=$?
+    output=$(cd "$work" && PATH=$work/bin "$submit_sweep" --program "$work/bin/twiddle" "${arguments[@]}" \
+        2>&1 </dev/null) || status=$?
     [[ $status == "$wanted" ]] || refuse "exit status $status, expected $wanted"
     for part in "$@"; do
         [[ $output == *"$part"* ]] || refuse "no '$part' in the output"
@@ -89,7 +92,8 @@ one_sentence()
 missing_runs_are_one_array_and_the_results_wait_for_it()
 {
     cluster 1001 3 4 5 9 11 12
-    expect 0 --no-wait --throttle 2 --sbatch "--partition=short --time=5" m.toml out make results -- "6 runs" "squeue --jobs=1,2"
+    expect 0 --no-wait --throttle 2 --sbatch "--partition=short --time=5" m.toml out make results -- \
+        "6 runs" "squeue --jobs=1,2"
     expect_calls 2
     expect_call 1 " --array=3-5,9,11-12%2 " " --mem=200M " " --requeue " " --partition=short --time=5 "
     expect_call 2 " --dependency=afterok:1 " " --kill-on-invalid-dep=yes " " --partition=short --time=5 "
@@ -102,7 +106,8 @@ jobs_do_what_is_meant()
     stand_in twiddle 'printf "<%s>" twiddle "$@"'
     stand_in make 'printf "<%s>" make "$@"'
     output=$(cd "$work" && PATH=$work/bin SLURM_ARRAY_TASK_ID=2 bash job-2)
-    [[ $output == "run 6"$'\n'"<twiddle><sweep><my sweeps/it's.toml><--out><my sweeps/out><--only><6>" ]] || refuse "another run"
+    [[ $output == "run 6"$'\n'"<twiddle><sweep><my sweeps/it's.toml><--out><my sweeps/out><--only><6>" ]] ||
+        refuse "another run"
     output=$(cd "$work" && PATH=$work/bin bash job-3)
     [[ $output == "<make><a b><c>" ]] || refuse "another command for the results"
 }
@@ -140,7 +145,8 @@ complete_sweep_submits_the_results_alone()
 refused_job_withdraws_the_others()
 {
     cluster 4 1 5
-    stand_in sbatch "cd '$work'; [[ ! -e job-1 ]] || { echo 'sbatch: error: limit' >&2; exit 1; }; : >job-1; echo \"\$@\" >>log; echo 1"
+    stand_in sbatch "cd '$work'; [[ ! -e job-1 ]] || { echo 'sbatch: error: limit' >&2; exit 1; }
+: >job-1; echo \"\$@\" >>log; echo 1"
     expect 1 --no-wait m.toml out make -- "sbatch: error: limit" "Slurm refuses a job"
     expect_calls 2
     expect_call 2 "scancel 1"
@@ -176,7 +182,8 @@ failed_run_fails_with_its_reason()
     results_end_as CANCELLED
     mkdir "$work/out-slurm"
     echo "twiddle: 1 of 1 run failed; the first: a/b/seed-1: disk full" >"$work/out-slurm/runs-1_0.log"
-    expect 1 m.toml out make -- "1 run not complete (the first that says why: a/b/seed-1: disk full)" "logs are in out-slurm"
+    expect 1 m.toml out make -- "1 run not complete (the first that says why: a/b/seed-1: disk full)" \
+        "logs are in out-slurm"
 }
 
 failed_results_fail()

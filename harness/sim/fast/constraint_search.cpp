@@ -9,17 +9,17 @@ namespace twiddle::sim
 namespace
 {
 
-// Almost always one or two are enough. From the fifth on no stop lets go any more, so that whatever answer is the last one
-// respects all joint ranges.
+// Almost always one or two are enough. From the fifth on no stop lets go any more, so that whatever answer is the last
+// one respects all joint ranges.
 constexpr int most_attempts = 10;
 constexpr int attempts_with_release = 4;
 
 // A whitened velocity of the object that counts as none, sqrt(kg) m/s; about 1e-4 rad/s.
 constexpr double standstill = 5e-7;
 
-// Which regimes of the hinge were tried with the same stops. An answer may name one that was: an object pinned between fingers,
-// or pushed by one that a stop holds, has contacts that no impulse satisfies in the wrong regime, and their impulses
-// say nothing. Then the one that is left comes next, and if none is left the object is held.
+// Which regimes of the hinge were tried with the same stops. An answer may name one that was: an object pinned between
+// fingers, or pushed by one that a stop holds, has contacts that no impulse satisfies in the wrong regime, and their
+// impulses say nothing. Then the one that is left comes next, and if none is left the object is held.
 class TriedRegimes
 {
   public:
@@ -88,7 +88,8 @@ Velocities ConstraintSearch::solve(const std::array<FingerState, 2> &state, cons
         }
         if (next == holds || i + 1 == most_attempts) return found;
         if (next.finger == holds.finger) {
-            // Contacts hold the object, and friction does not resist them: the velocity is 0 but for the solver's tolerance.
+            // Contacts hold the object, and friction does not resist them: the velocity is 0 but for the
+            // solver's tolerance.
             if (tried.has(HingeRegime::held) && std::abs(found.object) < standstill) return found;
             tried.add(holds.hinge);
             const auto untried = tried.next(next.hinge);

@@ -1,8 +1,8 @@
 // constraint_search.hpp: contacts, joint stops and hinge friction of one substep, solved together.
 //
-// Stops and hinge friction choose what is held (joint_stops.hpp, hinge_friction.hpp); for each choice the contacts are solved
-// (contact_solver.hpp); an answer that contradicts the choice names the next one. The last substep's choice comes first
-// and mostly stands.
+// Stops and hinge friction choose what is held (joint_stops.hpp, hinge_friction.hpp); for each choice the contacts are
+// solved (contact_solver.hpp); an answer that contradicts the choice names the next one. The last substep's choice
+// comes first and mostly stands.
 #pragma once
 
 #include "contact_solver.hpp"
@@ -40,8 +40,9 @@ class ConstraintSearch
     {
     }
 
-    // Velocities after the substep from `free`, those without contacts, stops and hinge friction. Solves for the impulses in
-    // `contacts`; what they hold is the first guess. `holds` is the first choice and becomes the one that was found.
+    // Velocities after the substep from `free`, those without contacts, stops and hinge friction. Solves for
+    // the impulses in `contacts`; what they hold is the first guess. `holds` is the first choice and becomes
+    // the one that was found.
     Velocities solve(const std::array<FingerState, 2> &state, const Velocities &free, Contacts &contacts, Holds &holds);
 
   private:

@@ -8,8 +8,8 @@ namespace twiddle::sim
 namespace
 {
 
-// How much further than its velocity says other contacts may push a contact within a substep; one that is still open then is
-// left out.
+// How much further than its velocity says other contacts may push a contact within a substep; one that is still open
+// then is left out.
 constexpr double reserve_m = 0.001;
 
 // Contacts of a finger nearer to each other than this are one: neighbouring capsules share an end sphere.

@@ -16,12 +16,13 @@ constexpr int most_capsules = 8;
 class ContactFinder
 {
   public:
-    // Contacts are made `breaking_threshold_m` before they touch; a penetration is corrected by the share `error_reduction`.
+    // Contacts are made `breaking_threshold_m` before they touch; a penetration is corrected by the share
+    // `error_reduction`.
     ContactFinder(const std::array<FingerKinematics, 2> &fingers, const ObjectBody &object, double breaking_threshold_m,
                   double error_reduction, double substep_s);
 
-    // Fill `contacts` for fingers in `state` and the object turned by `object_rad`. A contact that the velocities `free` (of
-    // the substep without contacts) carry far from touching is left out.
+    // Fill `contacts` for fingers in `state` and the object turned by `object_rad`. A contact that the velocities
+    // `free` (of the substep without contacts) carry far from touching is left out.
     void find(const std::array<FingerState, 2> &state, double object_rad, const Velocities &free,
               Contacts &contacts) const;
 

@@ -12,8 +12,8 @@ namespace
 constexpr int most_sweeps = 30;
 // Change of the whitened velocities in a sweep, sqrt(kg) m/s: about 1e-6 m/s of a fingertip.
 constexpr double settled = 1e-7;
-// A contact between things that are both held has no inverse mass along its normal; nor has, for all purposes, one whose inverse mass
-// is this share of what it would be with nothing held.
+// A contact between things that are both held has no inverse mass along its normal; nor has, for all purposes, one
+// whose inverse mass is this share of what it would be with nothing held.
 constexpr double least_movable_share = 1e-6;
 
 } // namespace

@@ -1,9 +1,9 @@
 // contact_solver.hpp: the impulses of all contacts in one substep, for a hinge and joints that either move or are held.
 //
-// Velocities are whitened: y = L^T v with M = L L^T, so that an impulse p on rows R changes them by R^T p and the contact's inverse
-// mass is R R^T. Signorini's and Coulomb's laws are solved contact by contact, each exactly (coulomb_contact.hpp), in sweeps
-// until the velocities settle: block Gauss-Seidel (nonsmooth contact dynamics; Jean 1999). A contact that is alone
-// needs no sweep.
+// Velocities are whitened: y = L^T v with M = L L^T, so that an impulse p on rows R changes them by R^T p and the
+// contact's inverse mass is R R^T. Signorini's and Coulomb's laws are solved contact by contact, each exactly
+// (coulomb_contact.hpp), in sweeps until the velocities settle: block Gauss-Seidel (nonsmooth contact dynamics; Jean
+// 1999). A contact that is alone needs no sweep.
 #pragma once
 
 #include "finger_dynamics.hpp"
@@ -71,7 +71,8 @@ class ContactSolver
     void solve(const Regime &regime, Contacts &contacts, Velocities &velocities);
 
   private:
-    // A contact in a regime: its rows act only on what moves. Made when it is first pushed, since most contacts stay open.
+    // A contact in a regime: its rows act only on what moves. Made when it is first pushed, since most
+    // contacts stay open.
     struct Block {
         Contact *contact = nullptr;
         bool made = false;

@@ -50,7 +50,8 @@ class Sampler
     }
 
   private:
-    // Accelerations of the whole body at rest, taken for 1 s; they also bring the body's caches to the angles that were set.
+    // Accelerations of the whole body at rest, taken for 1 s; they also bring the body's caches to the
+    // angles that were set.
     void articulated_body_algorithm(const btVector3 &acceleration_m_s2)
     {
         body_.clearForcesAndTorques();

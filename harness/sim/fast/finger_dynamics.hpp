@@ -1,9 +1,10 @@
 // finger_dynamics.hpp: the equations of motion of a finger of two joints, reduced to a few constants.
 //
 //     M(q) a + bias(q, v) + weight(q) = torque
-// The mass matrix M of two joints on a fixed base depends on the second angle alone, as a Fourier series that ends at the second
-// harmonic (a rotated inertia tensor is quadratic in sine and cosine); M11 is constant. Centrifugal and Coriolis torques
-// follow from its derivative M' (Christoffel symbols; Featherstone 2008, "Rigid Body Dynamics Algorithms", section 3.3):
+// The mass matrix M of two joints on a fixed base depends on the second angle alone, as a Fourier series that ends at
+// the second harmonic (a rotated inertia tensor is quadratic in sine and cosine); M11 is constant. Centrifugal and
+// Coriolis torques follow from its derivative M' (Christoffel symbols; Featherstone 2008, "Rigid Body Dynamics
+// Algorithms", section 3.3):
 //     bias0 = M00' v0 v1 + M01' v1^2,   bias1 = -M00' v0^2 / 2
 // The weight's torques are bilinear in (1, cos, sin) of the two angles. All constants are sampled from Bullet's
 // articulated-body algorithm at set-up.
@@ -20,8 +21,8 @@ namespace twiddle::sim
 // Values of a finger's two joints, from the palm outwards.
 using FingerVector = std::array<double, 2>;
 
-// M = U D U^T, U with ones on its diagonal and m01 / m11 above it; D is diagonal and its second entry constant, m11. Whitening
-// velocities to y = D^1/2 U^T v makes the kinetic energy half of their square.
+// M = U D U^T, U with ones on its diagonal and m01 / m11 above it; D is diagonal and its second entry constant, m11.
+// Whitening velocities to y = D^1/2 U^T v makes the kinetic energy half of their square.
 struct MassFactor {
     double coupling = 0;                // m01 / m11
     FingerVector root = {1, 1};         // of D, sqrt(kg) m
@@ -60,8 +61,8 @@ struct FingerEquations {
 class FingerDynamics
 {
   public:
-    // Sample the joints `first` and `second` (Bullet links of `hand`, the second hanging on the first) under gravity. Leaves the
-    // hand reset.
+    // Sample the joints `first` and `second` (Bullet links of `hand`, the second hanging on the first) under gravity.
+    // Leaves the hand reset.
     FingerDynamics(ArticulatedHand &hand, int first, int second, const btVector3 &gravity_palm_m_s2);
 
     FingerEquations equations(const std::array<SineCosine, 2> &angle, const FingerVector &velocity_rad_s) const;

@@ -1,9 +1,9 @@
 // hinge_friction.hpp: the Coulomb friction of the object's hinge.
 //
-// The hinge is in one of three regimes: held (velocity 0, the friction torque is whatever holds it, up to its limit), or turning
-// either way against the full torque. In each the contacts are a problem of their own; the regime whose answer does
-// not contradict it is the solution. As one more row of the contacts' sweeps the friction would be coupled to all of
-// them and converge slowly.
+// The hinge is in one of three regimes: held (velocity 0, the friction torque is whatever holds it, up to its limit),
+// or turning either way against the full torque. In each the contacts are a problem of their own; the regime whose
+// answer does not contradict it is the solution. As one more row of the contacts' sweeps the friction would be coupled
+// to all of them and converge slowly.
 #pragma once
 
 namespace twiddle::sim

@@ -1,8 +1,8 @@
 // joint_stops.hpp: the ranges of a finger's joints as unilateral constraints.
 //
-// A stop acts a substep ahead, as contacts do: a joint may approach its stop no faster than reaches it exactly. Each joint is
-// either free or held at such a velocity by one of its stops; the choice that contradicts nothing is the solution:
-// a free joint must not pass a stop, and a stop must not pull.
+// A stop acts a substep ahead, as contacts do: a joint may approach its stop no faster than reaches it exactly. Each
+// joint is either free or held at such a velocity by one of its stops; the choice that contradicts nothing is the
+// solution: a free joint must not pass a stop, and a stop must not pull.
 #pragma once
 
 #include "contact_solver.hpp"

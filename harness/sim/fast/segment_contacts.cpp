@@ -2,9 +2,9 @@
 //     g(t) = (p(t) - nearest core point) . u,    p(t) = start + t u,
 // never falls, and the closest point of the segment is g's root, held to 0..1. Both cores are products of simple ones
 // (three slabs; a slab and a disc), so g is a sum of parts, each negative before the interval where the line is within
-// its slab or disc, 0 in it and positive after. Where the intervals of all parts overlap, g is 0: over a face, beside the
-// cylinder, or in the core. Else the root lies in the one gap between the last start and the first end of an interval,
-// where it is a weighted mean (slabs) or the root of a function of known curvature (cylinder's rim).
+// its slab or disc, 0 in it and positive after. Where the intervals of all parts overlap, g is 0: over a face, beside
+// the cylinder, or in the core. Else the root lies in the one gap between the last start and the first end of an
+// interval, where it is a weighted mean (slabs) or the root of a function of known curvature (cylinder's rim).
 #include "segment_contacts.hpp"
 
 #include <algorithm>
@@ -75,7 +75,8 @@ Interval overlap(const Interval &a, const Interval &b)
 //   closest()           the closest points of the segment, an interval of shares
 //   clip(normal)        where the line is over the face that the normal belongs to; no interval if it is nowhere
 //   gap(p)              from the nearest point of the core to p
-//   way_out(p, normal)  for a point of the core: sets the normal, returns the distance from the core's surface, 0 or less
+//   way_out(p, normal)  for a point of the core: sets the normal, returns the distance from the core's surface,
+//                       0 or less
 struct LineAtBox {
     const RoundedCore &core;
     const btVector3 &start, &u;
@@ -178,8 +179,8 @@ struct LineAtCylinder {
     }
 
     // The root of g in the gap between the two intervals, where the nearest core point is on a rim. There g rises, and
-    // is convex if the line moves off the axis, concave if it comes nearer: Newton's steps, held to the gap, approach from
-    // one side after the first one.
+    // is convex if the line moves off the axis, concave if it comes nearer: Newton's steps, held to the gap, approach
+    // from one side after the first one.
     double closest_to_rim(const Interval &gap) const
     {
         // Whether the line has left the slab before it comes over the disc, or comes into it after.

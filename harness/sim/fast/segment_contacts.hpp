@@ -1,8 +1,8 @@
 // segment_contacts.hpp: where a finger's capsule comes near the object, exactly and in nanoseconds.
 //
-// The capsule is given by its centre line, a segment; its radius is the caller's to subtract. Every function works in the
-// object's frame: origin at the object's centre, z along the hinge, turned with the object. Nothing here allocates or
-// throws, and the same input gives the same output.
+// The capsule is given by its centre line, a segment; its radius is the caller's to subtract. Every function works in
+// the object's frame: origin at the object's centre, z along the hinge, turned with the object. Nothing here allocates
+// or throws, and the same input gives the same output.
 #pragma once
 
 #include "sim/object_body.hpp"
@@ -28,7 +28,8 @@ struct RoundedCore {
 // The core of an object whose rounding is less than its radius and half of its other dimensions.
 RoundedCore rounded_core(const ObjectBody &body);
 
-// What a contact belongs to. It names a contact from one step to the next, so that a solver may start from its last force.
+// What a contact belongs to. It names a contact from one step to the next, so that a solver may start
+// from its last force.
 enum ContactFeature {
     contact_closest,    // the closest point, where it is none of those below
     contact_start,      // the segment's start
@@ -51,19 +52,20 @@ struct SegmentContacts {
     int count = 0;
 };
 
-// The points of the segment that hold it on the object, those nearer than `reach_m` (above 0): first the closest point, then, for
-// cylinder and cube, the segment's ends and the points where it comes over and leaves the face that the closest point
-// lies on. Each has its own normal and distance. Points within 0.1 mm of each other on the segment count as one: a
-// closest point at an end or a clip point stands first under that point's feature, and keeps its own place. Of more than
-// four points the farthest is left out.
+// The points of the segment that hold it on the object, those nearer than `reach_m` (above 0): first the closest point,
+// then, for cylinder and cube, the segment's ends and the points where it comes over and leaves the face that the
+// closest point lies on. Each has its own normal and distance. Points within 0.1 mm of each other on the segment count
+// as one: a closest point at an end or a clip point stands first under that point's feature, and keeps its own place.
+// Of more than four points the farthest is left out.
 //
 // A segment of no length is a point. A point inside the core has the normal and the distance of the shortest way out
 // (along x from the very axis or centre); of a segment through the core, the middle of the part inside stands first.
 void find_segment_contacts(const RoundedCore &core, const btVector3 &start_m, const btVector3 &end_m, double reach_m,
                            SegmentContacts &contacts);
 
-// Whether a ball may touch the object, its centre at `height_m` along the hinge and at the square root of `square_across_m2` from
-// it: whether it touches the upright cylinder around the object. Never false for a ball that does touch.
+// Whether a ball may touch the object, its centre at `height_m` along the hinge and at the square root of
+// `square_across_m2` from it: whether it touches the upright cylinder around the object. Never false for a ball
+// that does touch.
 inline bool may_touch(const RoundedCore &core, double square_across_m2, double height_m, double radius_m)
 {
     const double across_m = core.bounding_radius_m + radius_m;

@@ -15,7 +15,8 @@ struct SineCosine {
 // For |angle_rad| up to 1e5. Error at most 2e-16 times 1 + |angle_rad|.
 inline SineCosine sine_cosine(double angle_rad)
 {
-    // Quarter turns, rounded to whole ones: adding 1.5 2^52 leaves no bits for a fraction, and the whole number in the last ones.
+    // Quarter turns, rounded to whole ones: adding 1.5 2^52 leaves no bits for a fraction, and the whole number
+    // in the last ones.
     constexpr double quarters_per_rad = 0.63661977236758134308;
     constexpr double rounder = 6755399441055744.0;
     const double shifted = angle_rad * quarters_per_rad + rounder;

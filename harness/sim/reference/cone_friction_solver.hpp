@@ -1,9 +1,9 @@
 // cone_friction_solver.hpp: block Gauss-Seidel on the rows that Bullet's multibody solver sets up, with Coulomb's cone.
 //
-// Bullet 3.24 solves the two friction rows of a contact with two different effective masses and then clips their pair to the
-// friction disk: its fixed point does not oppose the slip. It also treats normal and friction one row at a time, which
-// converges slowly where a finger of two joints couples them. Here each contact is solved exactly, as a block of three
-// (coulomb_contact.hpp), and the sweeps only have to settle contacts, stops and hinge friction among each other.
+// Bullet 3.24 solves the two friction rows of a contact with two different effective masses and then clips their pair
+// to the friction disk: its fixed point does not oppose the slip. It also treats normal and friction one row at a time,
+// which converges slowly where a finger of two joints couples them. Here each contact is solved exactly, as a block of
+// three (coulomb_contact.hpp), and the sweeps only have to settle contacts, stops and hinge friction among each other.
 // Setting up the rows stays Bullet's.
 #pragma once
 

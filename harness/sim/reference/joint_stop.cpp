@@ -78,8 +78,8 @@ void JointStop::createConstraintRows(btMultiBodyConstraintArray &rows, btMultiBo
     const std::array<double, 2> distance_rad = {angle_rad - lower_rad_, upper_rad_ - angle_rad};
     const std::array<double, 2> leaving_rad_s = {velocity_rad_s, -velocity_rad_s};
     for (int side = 0; side < 2; side++) {
-        // Contacts and holding motors may push the joint this much further in a substep than its velocity says. Wider costs
-        // speed, a row for every stop; narrower lets a hard-driven joint jump past a stop that has no row yet.
+        // Contacts and holding motors may push the joint this much further in a substep than its velocity says. Wider
+        // costs speed, a row for every stop; narrower lets a hard-driven joint jump past a stop that has no row yet.
         constexpr double reserve_rad = 0.3;
         if (distance_rad[side] + leaving_rad_s[side] * info.m_timeStep > reserve_rad) continue;
         const double share = distance_rad[side] > 0 ? 1 : error_reduction_;

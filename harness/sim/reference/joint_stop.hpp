@@ -1,7 +1,7 @@
 // joint_stop.hpp: the range of a revolute joint as two unilateral constraints in Bullet's multibody solver.
 //
-// Bullet's own joint limit acts only once the stop is passed. This one acts a substep ahead, as contacts do: a joint may
-// approach its stop no faster than reaches it exactly.
+// Bullet's own joint limit acts only once the stop is passed. This one acts a substep ahead, as contacts do: a joint
+// may approach its stop no faster than reaches it exactly.
 #pragma once
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraint.h>

@@ -36,8 +36,8 @@ int mask_of(Finger finger, bool index_thumb_contact)
     return index_thumb_contact ? group_object | other : group_object;
 }
 
-// All in Bullet that remembers: contact caches, pair caches, bounding-box trees, solver buffers. Their order of entries would
-// let one trial leak into the next, so that a reset builds them anew; bodies and shapes stay.
+// All in Bullet that remembers: contact caches, pair caches, bounding-box trees, solver buffers. Their order of entries
+// would let one trial leak into the next, so that a reset builds them anew; bodies and shapes stay.
 struct Stage {
     Stage()
         : configuration(small_pools()), dispatcher(&configuration),
@@ -108,7 +108,8 @@ class ReferenceWorld final : public World
 
     void configure_solver()
     {
-        // Bullet keeps this threshold in a global. Contacts are made before they touch, so that a fast tip cannot tunnel.
+        // Bullet keeps this threshold in a global. Contacts are made before they touch, so that a fast
+        // tip cannot tunnel.
         gContactBreakingThreshold = setup_.physics.breaking_threshold_m;
         btCollisionDispatcher &dispatcher = stage_->dispatcher;
         dispatcher.setDispatcherFlags(dispatcher.getDispatcherFlags() &
