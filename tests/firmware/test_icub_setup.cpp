@@ -76,8 +76,7 @@ TEST(IcubSetup, controller_is_the_papers)
 TEST(IcubSetup, learner_is_the_papers)
 {
     const settings::Setup setup = test::load_setup("paper");
-    const twd_learner_config theirs =
-        library::learner_config({{setup, "cpg-h", true}, 40, 7});
+    const twd_learner_config theirs = library::learner_config({{setup, "cpg-h", true}, 40, 7});
     const twd_learner_config ours = icub_learner_config(40, 7);
 
     EXPECT_EQ(ours.units, theirs.units);

@@ -2,8 +2,8 @@
 #include "csv_frames.hpp"
 #include "scratch_folder.hpp"
 
-#include "sim/hand_model.hpp"
 #include "settings/text_file.hpp"
+#include "sim/hand_model.hpp"
 
 #include <gtest/gtest.h>
 

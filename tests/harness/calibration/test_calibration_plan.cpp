@@ -33,7 +33,8 @@ std::string complaint(const std::string &text)
 // The three objects are one a size and one a shape, so that six are held out.
 TEST(CalibrationPlan, the_repository_compares_three_objects_and_trains_twelve_finalists_in_full)
 {
-    const CalibrationPlan plan = read_calibration_plan(setups.parent_path() / "calibrations" / "paper.toml", TWIDDLE_MODELS, setups);
+    const CalibrationPlan plan =
+        read_calibration_plan(setups.parent_path() / "calibrations" / "paper.toml", TWIDDLE_MODELS, setups);
     EXPECT_EQ(plan.objects, (std::vector<std::string>{"small-sphere", "medium-cylinder", "large-cube"}));
     EXPECT_EQ(plan.finalists, 12U);
     EXPECT_EQ(plan.finals.trials, 5000U);

@@ -42,8 +42,8 @@ TEST(SearchSpace, numbers_have_three_significant_digits)
     EXPECT_EQ(values_at({wide}, {0.99996})[0], json(1.0));
 }
 
-// At half the natural frequency a critically damped joint has a quarter of the stiffness and half of the damping. mid-a's FEI has
-// 0.21 N m/rad and 0.0069 N m s/rad at 60 rad/s.
+// At half the natural frequency a critically damped joint has a quarter of the stiffness and half of the damping.
+// mid-a's FEI has 0.21 N m/rad and 0.0069 N m s/rad at 60 rad/s.
 TEST(SearchSpace, the_natural_frequency_moves_all_gains_and_keeps_the_damping_ratio)
 {
     const json base = json::parse(settings());

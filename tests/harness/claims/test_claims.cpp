@@ -1,5 +1,5 @@
-#include "made_up_runs.hpp"
 #include "claims/claims.hpp"
+#include "made_up_runs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -107,10 +107,11 @@ TEST(Claims, overall_verdict_follows_the_parts)
     EXPECT_EQ(overall_verdict({none, none}), none);
 }
 
-// The paper's own values. Expected, worked out from its printed tables: 1: 3.700 - 3.274; 2a: five objects of nine; 2b: all but large
-// sphere and cylinder; 4, 5: the twelve means of the small objects sum to 51.606, of the medium 49.444, of the large 39.774, of the
-// spheres 48.270, the cylinders 47.643, the cubes 44.911; 9: (2.863 + 1.575 + 0.800 - 0.557 - 0.471 - 1.542) / 3; 10a: from the table by
-// another program; 10b: large cylinder, CPG-C against CPG-H; 10c: CPG-M against CPG-H.
+// The paper's own values. Expected, worked out from its printed tables: 1: 3.700 - 3.274; 2a: five objects of nine; 2b:
+// all but large sphere and cylinder; 4, 5: the twelve means of the small objects sum to 51.606, of the medium 49.444,
+// of the large 39.774, of the spheres 48.270, the cylinders 47.643, the cubes 44.911; 9:
+// (2.863 + 1.575 + 0.800 - 0.557 - 0.471 - 1.542) / 3; 10a: from the table by another program; 10b: large cylinder,
+// CPG-C against CPG-H; 10c: CPG-M against CPG-H.
 TEST(Claims, papers_values_are_those_of_its_tables)
 {
     const std::vector<std::pair<std::string, double>> expected = {{"1", 0.426},
@@ -137,8 +138,9 @@ TEST(Claims, papers_values_are_those_of_its_tables)
     }
 }
 
-// The paper's own interval. Expected, by hand, for CPG-M against CPG-H on the medium cube, 4.781 +- 0.035 against 4.555 +- 0.982, four runs each:
-// 0.226 -+ t sqrt((0.035^2 + 0.982^2) / 4) with t = 3.178 at 3.008 degrees of freedom. Spreads have none.
+// The paper's own interval. Expected, by hand, for CPG-M against CPG-H on the medium cube, 4.781 +- 0.035 against 4.555
+// +- 0.982, four runs each: 0.226 -+ t sqrt((0.035^2 + 0.982^2) / 4) with t = 3.178 at 3.008 degrees of freedom.
+// Spreads have none.
 TEST(Claims, papers_interval_is_that_of_its_spread)
 {
     const PartResult result = result_of(even_grid(1), "10c");
@@ -148,9 +150,9 @@ TEST(Claims, papers_interval_is_that_of_its_spread)
     EXPECT_FALSE(result_of(even_grid(1), "1").paper.interval);
 }
 
-// Claim 1 asks for every object: one that is worse without doubt decides against it, one in doubt leaves it open. The interval of a
-// difference of two cells -0.1, 0, 0, 0.1 around their means is -+ 2.447 sqrt(2 x 0.02 / 3 / 4) = 0.141 (Student's t, six degrees of
-// freedom).
+// Claim 1 asks for every object: one that is worse without doubt decides against it, one in doubt leaves it open. The
+// interval of a difference of two cells -0.1, 0, 0, 0.1 around their means is -+ 2.447 sqrt(2 x 0.02 / 3 / 4) = 0.141
+// (Student's t, six degrees of freedom).
 TEST(Claims, every_object_must_gain_by_the_centre)
 {
     RunGrid grid = even_grid(2);
@@ -267,8 +269,8 @@ TEST(Claims, fingers_are_judged_on_the_small_sphere)
     EXPECT_EQ(lacking.estimate.missing, "1 of the runs lack trajectory.csv or a frequency; the first is run-2");
 }
 
-// Mixtures that move by 0.3 before trial 2,000 and by 0.1 after it, end at 0.5 : 0.3 : 0.2 in two runs and 0.2 : 0.3 : 0.5 in the others, with
-// the same rotations.
+// Mixtures that move by 0.3 before trial 2,000 and by 0.1 after it, end at 0.5 : 0.3 : 0.2 in two runs and 0.2 : 0.3 :
+// 0.5 in the others, with the same rotations.
 TEST(Claims, mixtures_are_judged_over_the_objects)
 {
     RunGrid grid = even_grid(2);

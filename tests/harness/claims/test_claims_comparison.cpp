@@ -9,7 +9,6 @@ namespace
 using namespace twiddle::test;
 using namespace twiddle::claims;
 
-
 const std::string head = "# made up\nclaim,part,words,value,lower,upper,verdict,claim_verdict\n";
 
 // What several verdicts come to.

@@ -1,6 +1,6 @@
-#include "made_up_runs.hpp"
 #include "claims/cell_measures.hpp"
 #include "claims/contest.hpp"
+#include "made_up_runs.hpp"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
@@ -92,7 +92,8 @@ TEST(Contrast, interval_without_spread_or_without_runs)
     EXPECT_FALSE(of_one.interval());
 }
 
-// How often the interval of `measure`, averaged over three pairs of cells with `runs` normal values each, holds `truth`.
+// How often the interval of `measure`, averaged over three pairs of cells with `runs` normal values
+// each, holds `truth`.
 double coverage(const CellMeasure &measure, std::size_t fewest, std::size_t runs, const std::array<double, 6> &sd,
                 double truth)
 {
@@ -117,8 +118,8 @@ double coverage(const CellMeasure &measure, std::size_t fewest, std::size_t runs
     return static_cast<double>(held) / samples;
 }
 
-// Of 2,000 samples, the 95 % interval of means must hold the true value in 95 %, to three standard errors of that share (1.5 %) and
-// another 1 % because Welch's degrees of freedom are estimated.
+// Of 2,000 samples, the 95 % interval of means must hold the true value in 95 %, to three standard errors of that share
+// (1.5 %) and another 1 % because Welch's degrees of freedom are estimated.
 TEST(Contrast, interval_of_means_of_four_runs_covers_the_truth)
 {
     EXPECT_NEAR(coverage(difference_of_means(rotation), 1, 4, {1, 1, 1, 1, 1, 1}, 0), 0.95, 0.025);
@@ -131,8 +132,8 @@ TEST(Contrast, interval_of_spreads_of_four_runs_is_on_the_safe_side)
     EXPECT_GE(coverage(relative_spread, 2, 4, {2, 2, 1, 1, 3, 3}, 0), 0.95 - 0.015);
 }
 
-// Nine objects on each of which the first model's resample, of 1 and 3, loses against 2 and 2 with probability 1/4, by mean (1) and by
-// best (1). Expected: the quantiles of the binomial distribution, from GSL.
+// Nine objects on each of which the first model's resample, of 1 and 3, loses against 2 and 2 with probability 1/4, by
+// mean (1) and by best (1). Expected: the quantiles of the binomial distribution, from GSL.
 TEST(Contest, interval_is_that_of_the_binomial)
 {
     const Runs first = runs_of({1, 3});
@@ -154,7 +155,8 @@ TEST(Contest, interval_is_that_of_the_binomial)
     }
 }
 
-// A mean is ranked by the mean and a best run by the best; cells far apart leave no doubt; one run a cell leaves no interval.
+// A mean is ranked by the mean and a best run by the best; cells far apart leave no doubt; one run a cell
+// leaves no interval.
 TEST(Contest, wins_are_counted_by_rank)
 {
     const Runs steady = runs_of({5, 5.1});
@@ -168,8 +170,8 @@ TEST(Contest, wins_are_counted_by_rank)
     EXPECT_FALSE(interval_of_share_won({{&steady, &lone}}, Rank::mean));
 }
 
-// Measures of spread and of mixtures, by hand: sd of 1, 3 is sqrt 2, of 0, 6 is sqrt 18: (1 - 3) / (1 + 3). Pairs of runs at distances 1, 1/2,
-// 1/2 that differ by 3, 1, 2 rad: (3 + 1/2 + 1) / 2 = 2.25, over a mean of 8/3.
+// Measures of spread and of mixtures, by hand: sd of 1, 3 is sqrt 2, of 0, 6 is sqrt 18: (1 - 3) / (1 + 3). Pairs of
+// runs at distances 1, 1/2, 1/2 that differ by 3, 1, 2 rad: (3 + 1/2 + 1) / 2 = 2.25, over a mean of 8/3.
 TEST(CellMeasures, by_hand)
 {
     const Runs narrow = runs_of({1, 3});

@@ -30,7 +30,8 @@ Values swing(double mean, double amplitude, double frequency_hz, double lag_turn
     return values;
 }
 
-// A curve that rises by 1 rad a trial, 250 trials long, is averaged over 5: the mean of the last five is at least 100 from trial 102 on.
+// A curve that rises by 1 rad a trial, 250 trials long, is averaged over 5: the mean of the last five is at least 100
+// from trial 102 on.
 TEST(LearningCourse, trials_to_reach_on_a_ramp)
 {
     Values ramp;
@@ -76,8 +77,8 @@ TEST(LearningCourse, mixtures_by_hand)
     EXPECT_EQ(of_short.last, (Mixture{0.5, 0.25, 0.25}));
 }
 
-// By hand: the index alone turns 1 rad, both with 1 N and 3 N 2 rad, the thumb alone 0.5 rad; 0.4 rad backwards, 0.4 rad without a
-// finger and forces without turning count for none: 1.5 of 3.5 rad by the index.
+// By hand: the index alone turns 1 rad, both with 1 N and 3 N 2 rad, the thumb alone 0.5 rad; 0.4 rad backwards, 0.4
+// rad without a finger and forces without turning count for none: 1.5 of 3.5 rad by the index.
 TEST(FingerUse, lesser_share_by_hand)
 {
     const Values object_rad = {1, 3, 3.5, 3.1, 3.5, 3.5};
@@ -88,7 +89,8 @@ TEST(FingerUse, lesser_share_by_hand)
     EXPECT_EQ(lesser_finger_share({1, 2}, {0, 0}, {0, 0}), 0);
 }
 
-// Synthetic joints with known lags; frequencies that do not fit the 2 s, other means, amplitudes and harmonics change nothing.
+// Synthetic joints with known lags; frequencies that do not fit the 2 s, other means, amplitudes and
+// harmonics change nothing.
 TEST(FingerUse, phase_distance_of_known_lags)
 {
     for (const double frequency_hz : {0.3, 0.73, 1.0, 2.0}) {

@@ -1,10 +1,10 @@
 #include "../scratch_folder.hpp"
+#include "claims/run_measures.hpp"
 #include "program.hpp"
 #include "record/csv.hpp"
 #include "record/csv_columns.hpp"
 #include "record/json_file.hpp"
 #include "record/policy_json.hpp"
-#include "claims/run_measures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -126,8 +126,9 @@ std::map<std::string, Row> claims_in(const ScratchFolder &folder)
     return rows;
 }
 
-// Expected, by hand: the fingers of CPG-H share the turning evenly in both runs; phases 0.5 and 0.46 turns apart; learned frequencies 1.0
-// and 1.1 Hz against 1.0 in a range of 1 Hz; CPG-H leads by mean and best; the smallest area gain is 3.05 - 1.25 rad.
+// Expected, by hand: the fingers of CPG-H share the turning evenly in both runs; phases 0.5 and 0.46 turns apart;
+// learned frequencies 1.0 and 1.1 Hz against 1.0 in a range of 1 Hz; CPG-H leads by mean and best; the smallest area
+// gain is 3.05 - 1.25 rad.
 TEST(SummarizeClaims, values_are_those_of_the_files)
 {
     const ScratchFolder folder;
@@ -207,7 +208,8 @@ TEST(SummarizeClaims, compare_claims_reads_what_summarize_wrote)
     EXPECT_NE(outcome.output.find("supported | in every set-up |"), std::string::npos) << outcome.output;
 }
 
-// The largest change of any joint's desired angle from a time after 1.2 s, when amplitudes and centres have settled, to `later_s` on.
+// The largest change of any joint's desired angle from a time after 1.2 s, when amplitudes and centres have settled,
+// to `later_s` on.
 double largest_change_rad(const std::vector<std::vector<double>> &joints, double later_s)
 {
     constexpr std::size_t settled = 120;
@@ -224,8 +226,8 @@ double largest_change_rad(const std::vector<std::vector<double>> &joints, double
     return largest;
 }
 
-// The frequency that a run counts with is that of the angles it asks for: they repeat after its period, not after half of it. It is learned
-// by CPG-C, and set for CPG-M alone.
+// The frequency that a run counts with is that of the angles it asks for: they repeat after its period, not after half
+// of it. It is learned by CPG-C, and set for CPG-M alone.
 TEST(SummarizeClaims, frequency_is_that_of_the_desired_angles)
 {
     for (const std::string model : {"cpg-c", "cpg-m"}) {

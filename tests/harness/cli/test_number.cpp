@@ -73,8 +73,8 @@ TEST(Number, fixed_run_is_resumed)
     EXPECT_EQ(text_of(cut / "policy.json"), text_of(whole / "policy.json"));
 }
 
-// With the same seed the two number types draw the same noise, so that their runs begin alike: trial by trial, the same noise and
-// weights but for rounding, and the same rotations but for what rounding makes of them in 3 s.
+// With the same seed the two number types draw the same noise, so that their runs begin alike: trial by trial, the same
+// noise and weights but for rounding, and the same rotations but for what rounding makes of them in 3 s.
 TEST(Number, fixed_and_float_runs_begin_alike)
 {
     const ScratchFolder folder;
@@ -91,7 +91,8 @@ TEST(Number, fixed_and_float_runs_begin_alike)
     }
 }
 
-// Parameters nearer to 0 and 1 than a step of the fixed-point numbers are taken, as 0 and 1. Expected: the float's rotation.
+// Parameters nearer to 0 and 1 than a step of the fixed-point numbers are taken, as 0 and 1. Expected: the
+// float's rotation.
 TEST(Number, fixed_rollout_takes_what_is_next_to_the_ends)
 {
     const std::string lines = "0.999999999999,0.5\n1e-12,0.5\n0.9,0.3\n";

@@ -61,7 +61,8 @@ TEST(Options, malformed_set_up_file_is_named)
     EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-// What the fast stepper does not cover is refused before anything is written; the stepper that the sentence names does it.
+// What the fast stepper does not cover is refused before anything is written; the stepper that the
+// sentence names does it.
 TEST(Options, what_the_fast_stepper_does_not_cover_is_left_to_the_reference)
 {
     const ScratchFolder folder;

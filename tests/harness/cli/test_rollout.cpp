@@ -30,7 +30,8 @@ TEST(Rollout, same_line_gives_the_same_rotation)
     EXPECT_NE(lines[0], lines[1]);
 }
 
-// A wrong line is named, with status 2, after the rotations of the lines before it. Expected: one rotation, from the first line.
+// A wrong line is named, with status 2, after the rotations of the lines before it. Expected: one rotation,
+// from the first line.
 TEST(Rollout, wrong_line_is_named)
 {
     const std::vector<std::pair<std::string, std::string>> cases = {

@@ -32,7 +32,8 @@ struct MadeUpCell {
     }
 };
 
-// The last 500 rotations (or all, if there are fewer) are in turn mean - 1 and mean + 1; those before, 99, must not count.
+// The last 500 rotations (or all, if there are fewer) are in turn mean - 1 and mean + 1; those before,
+// 99, must not count.
 std::string trials_text(std::size_t trials, double mean_rad)
 {
     std::ostringstream text;
@@ -137,9 +138,9 @@ void expect_refusal(const ScratchFolder &folder, int status, std::initializer_li
     EXPECT_FALSE(fs::exists(folder.path() / "figures"));
 }
 
-// Table 1. Expected, by hand: of 5, 6, 7, 8 the standard deviation is sqrt(5 / 3); of the 256 resamples' sums 5 lie below 22, 15
-// below 23, hence the interval 22/4 to 30/4; all of one cell above all of the other is 2 of 70 arrangements. The paper's values are
-// read from its printed table.
+// Table 1. Expected, by hand: of 5, 6, 7, 8 the standard deviation is sqrt(5 / 3); of the 256 resamples' sums 5 lie
+// below 22, 15 below 23, hence the interval 22/4 to 30/4; all of one cell above all of the other is 2 of 70
+// arrangements. The paper's values are read from its printed table.
 TEST(Summarize, table1_is_with_beside_without_centre)
 {
     const ScratchFolder folder;
@@ -165,8 +166,8 @@ TEST(Summarize, table1_is_with_beside_without_centre)
     EXPECT_NE(text_of(folder.path() / "table1.csv").find("the last 500 of 502 trials"), std::string::npos);
 }
 
-// Table 2. Expected, by hand: cpg-s lies below cpg-h in 10 of 16 pairs, and 1 + 1 + 2 + 3 + 5 + 5 + 7 = 24 of 70 arrangements have a U
-// of at most 6; Holm doubles the smaller of two p and leaves the other.
+// Table 2. Expected, by hand: cpg-s lies below cpg-h in 10 of 16 pairs, and 1 + 1 + 2 + 3 + 5 + 5 + 7 = 24 of 70
+// arrangements have a U of at most 6; Holm doubles the smaller of two p and leaves the other.
 TEST(Summarize, table2_has_the_winner_and_its_tests)
 {
     const ScratchFolder folder;
@@ -192,8 +193,9 @@ TEST(Summarize, table2_has_the_winner_and_its_tests)
     }
 }
 
-// The figures' data come with the tables. Expected, by hand: of 502 trials the first point's two are 99 and 48 are in turn one
-// below and one above the run's mean; the last point has two trials, one below and one above. What the columns hold: test_figure_data.
+// The figures' data come with the tables. Expected, by hand: of 502 trials the first point's two are 99 and 48 are in
+// turn one below and one above the run's mean; the last point has two trials, one below and one above. What the columns
+// hold: test_figure_data.
 TEST(Summarize, figures_have_their_data)
 {
     const ScratchFolder folder;

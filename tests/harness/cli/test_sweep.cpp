@@ -12,7 +12,8 @@ namespace
 using namespace twiddle::test;
 namespace fs = std::filesystem;
 
-// The runs are as `twiddle train` and `twiddle replay` make them, and the number of jobs changes no byte. Expected: their files.
+// The runs are as `twiddle train` and `twiddle replay` make them, and the number of jobs changes no byte.
+// Expected: their files.
 TEST(Sweep, runs_are_those_of_train_and_replay_with_any_number_of_jobs)
 {
     const ScratchFolder folder;
@@ -59,7 +60,8 @@ TEST(Sweep, second_start_does_nothing)
     }
 }
 
-// What a kill in the middle of a first write leaves is gone over. Expected: the uninterrupted sweep's files and the litter.
+// What a kill in the middle of a first write leaves is gone over. Expected: the uninterrupted sweep's
+// files and the litter.
 TEST(Sweep, half_written_first_files_are_no_obstacle)
 {
     const ScratchFolder folder;
@@ -103,8 +105,8 @@ TEST(Sweep, single_runs_started_together_make_the_sweep)
     EXPECT_TRUE(fs::exists(one / folders[4] / "policy.json"));
 }
 
-// A run that is trained but not replayed, as a kill between the two leaves it, gets its replay and keeps the rest to the time of
-// every file. Expected: the uninterrupted sweep's files.
+// A run that is trained but not replayed, as a kill between the two leaves it, gets its replay and keeps the rest to
+// the time of every file. Expected: the uninterrupted sweep's files.
 TEST(Sweep, missing_replay_is_made_up_for_without_training)
 {
     const ScratchFolder folder;
@@ -144,8 +146,8 @@ variant = "wild"
 "learner.reward_per_rad" = 0.0001
 )";
 
-// A replay that the simulation cannot finish leaves the run complete: run.json has the fault's sentence, which `twiddle replay` ends
-// with, and the trajectory has the steps before it.
+// A replay that the simulation cannot finish leaves the run complete: run.json has the fault's sentence, which
+// `twiddle replay` ends with, and the trajectory has the steps before it.
 TEST(Sweep, fault_in_a_replay_leaves_the_run_complete)
 {
     const ScratchFolder folder;
@@ -173,8 +175,8 @@ TEST(Sweep, fault_in_a_replay_leaves_the_run_complete)
     EXPECT_NE(second.output.find("4 were before"), std::string::npos) << second.output;
 }
 
-// What is left to do, for a program that starts the runs itself: all runs, then those that are not complete, then none. The
-// folder is the sweep's from then on, and nothing is trained.
+// What is left to do, for a program that starts the runs itself: all runs, then those that are not complete, then none.
+// The folder is the sweep's from then on, and nothing is trained.
 TEST(Sweep, missing_runs_are_listed)
 {
     const ScratchFolder folder;

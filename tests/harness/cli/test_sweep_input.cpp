@@ -15,7 +15,8 @@ namespace
 using namespace twiddle::test;
 namespace fs = std::filesystem;
 
-// A folder of another manifest, of another version, of something else, or with a broken sweep.json is refused and stays as it is.
+// A folder of another manifest, of another version, of something else, or with a broken sweep.json is refused
+// and stays as it is.
 TEST(Sweep, folder_of_something_else_is_not_touched)
 {
     const ScratchFolder folder;
@@ -57,8 +58,8 @@ TEST(Sweep, folder_of_something_else_is_not_touched)
     expect_refusal(sweep(manifest, manifest), "is no folder");
 }
 
-// --setup takes the place of the manifest's set-up: sweep.json and run.json hold it, the command in run.json names it, and a folder of
-// another one is refused. Expected: the settings of a manifest that names the set-up itself.
+// --setup takes the place of the manifest's set-up: sweep.json and run.json hold it, the command in run.json names it,
+// and a folder of another one is refused. Expected: the settings of a manifest that names the set-up itself.
 TEST(Sweep, set_up_can_be_chosen_for_the_whole_sweep)
 {
     const ScratchFolder folder;
@@ -78,8 +79,8 @@ TEST(Sweep, set_up_can_be_chosen_for_the_whole_sweep)
     EXPECT_EQ(sweep(manifest, out, "--setup near").status, 0);
 }
 
-// A run that cannot be done leaves the others alone; the first one's folder is named; once the reason is gone, the same command
-// completes the sweep.
+// A run that cannot be done leaves the others alone; the first one's folder is named; once the reason is gone, the same
+// command completes the sweep.
 TEST(Sweep, failed_run_leaves_the_others_alone)
 {
     const ScratchFolder folder;

@@ -125,7 +125,8 @@ TEST(Sweep, killed_sweep_goes_on_to_the_same_bytes)
     }
 }
 
-// Ctrl-C, for all processes or for the starter alone, ends the sweep after the trials in hand with status 130 and one sentence.
+// Ctrl-C, for all processes or for the starter alone, ends the sweep after the trials in hand with status 130
+// and one sentence.
 TEST(Sweep, interrupted_sweep_goes_on_to_the_same_bytes)
 {
     const ScratchFolder folder;
@@ -147,8 +148,9 @@ TEST(Sweep, interrupted_sweep_goes_on_to_the_same_bytes)
     }
 }
 
-// A disk that is full: one sentence that names the file and the reason, status 1; when there is room again, the same command gives the
-// same bytes. 4 blocks hold a part of sweep.json, 16 of each log of 200 trials, 8 all but a part of the larger models' policy.json.
+// A disk that is full: one sentence that names the file and the reason, status 1; when there is room again, the same
+// command gives the same bytes. 4 blocks hold a part of sweep.json, 16 of each log of 200 trials, 8 all but a part of
+// the larger models' policy.json.
 TEST(Sweep, full_disk_is_one_sentence_and_the_sweep_goes_on)
 {
     struct Case {

@@ -77,7 +77,8 @@ TEST(Train, progress_is_plain_lines_off_a_terminal)
     EXPECT_EQ(outcome.error.find_first_of("\r\033"), std::string::npos);
 }
 
-// A run killed at any byte and resumed ends with the bytes of one that was not. Expected: the uninterrupted run's files.
+// A run killed at any byte and resumed ends with the bytes of one that was not. Expected: the
+// uninterrupted run's files.
 TEST(Train, resumed_run_equals_an_uninterrupted_one)
 {
     const ScratchFolder folder;
@@ -122,7 +123,8 @@ TEST(Train, changed_log_is_not_continued)
     }
 }
 
-// Ctrl-C ends the run after the trial in hand, with status 130, and leaves a log that --resume completes to the same bytes.
+// Ctrl-C ends the run after the trial in hand, with status 130, and leaves a log that --resume completes
+// to the same bytes.
 TEST(Train, interrupted_run_can_be_resumed)
 {
     const ScratchFolder folder;
@@ -191,8 +193,8 @@ TEST(Train, folder_of_something_else_is_not_touched)
     EXPECT_EQ(train(folder.path() / "others" / "thesis.tex").status, 2);
 }
 
-// Replay writes 300 rows whose last rotation is the one that rollout gives for the learned parameters, from run.json alone: also
-// for a run of another number type, another hold of the hand and overridden settings.
+// Replay writes 300 rows whose last rotation is the one that rollout gives for the learned parameters, from run.json
+// alone: also for a run of another number type, another hold of the hand and overridden settings.
 TEST(Train, replay_repeats_the_run_from_its_folder)
 {
     const std::vector<std::pair<std::string, std::string>> runs = {
@@ -250,7 +252,8 @@ TEST(Train, replay_elsewhere_leaves_the_run_alone)
     EXPECT_NE(outcome.error.find("no policy.json"), std::string::npos) << outcome.error;
 }
 
-// --stepper replays in the other physics: the rotation that rollout gives with that stepper, and never in place of the run's own.
+// --stepper replays in the other physics: the rotation that rollout gives with that stepper, and never in place
+// of the run's own.
 TEST(Train, replay_with_another_stepper_is_that_steppers_rollout)
 {
     const ScratchFolder folder;

@@ -48,7 +48,8 @@ TEST_P(TrainOnEveryBoard, chip_gives_the_bytes_of_the_host)
           "--object large-cube --model cpg-c --seed 2 --trials 5",
           "--object medium-cylinder --model cpg-m --no-centre --seed 18446744073709551615 --trials 5",
           "--object small-cube --model cpg-s --seed 4 --trials 5",
-          "--object medium-sphere --model cpg-h --no-centre --seed 5 --trials 5 --setup " TWIDDLE_TEST_DATA "/setups/mid-a.toml --set hand.pd_law=stable "
+          "--object medium-sphere --model cpg-h --no-centre --seed 5 --trials 5 --setup " TWIDDLE_TEST_DATA
+          "/setups/mid-a.toml --set hand.pd_law=stable "
           "--set 'hand.pd_inertia_kg_m2={ fei = 4e-5, aai = 5e-5, fet = 6e-5, ot = 7e-5 }' "
           "--set oscillators.saturation=each --set oscillators.return_lag=equal --set oscillators.centre_start=target "
           "--set oscillators.phase_start=zero --set learner.selector_noise=none --set "

@@ -24,8 +24,8 @@ settings::Setup mid_a()
     return test::load_setup("mid-a");
 }
 
-// Gains, ranges and limits of the default set-up reach the joints they are named for. Expected: the set-up's values, and the
-// paper's joint ranges (FEI 0..90, AAI -15..15, FET 0..90, OT 0..130 deg).
+// Gains, ranges and limits of the default set-up reach the joints they are named for. Expected: the set-up's values,
+// and the paper's joint ranges (FEI 0..90, AAI -15..15, FET 0..90, OT 0..130 deg).
 TEST(ControllerSetup, settings_reach_their_joints)
 {
     const twd_controller_config config = controller_config({mid_a(), "cpg-h", true});
@@ -73,23 +73,22 @@ TEST(ControllerSetup, open_choices_reach_the_learner)
     const settings::Setup plain = mid_a();
     EXPECT_EQ(learner_config({{plain, "cpg-h", true}, 10, 1}).silent_units, 0U);
     EXPECT_EQ(learner_config({{plain, "cpg-h", true}, 10, 1}).learned_value, TWD_LEARN_FROM_CLIPPED);
-    const settings::Setup changed = test::load_setup("mid-a",
-                        {{"learner.selector_noise", "none"}, {"learner.learned_value", "unclipped"}});
+    const settings::Setup changed =
+        test::load_setup("mid-a", {{"learner.selector_noise", "none"}, {"learner.learned_value", "unclipped"}});
     EXPECT_EQ(learner_config({{changed, "cpg-h", true}, 10, 1}).silent_units, 3U);
     EXPECT_EQ(learner_config({{changed, "cpg-c", true}, 10, 1}).silent_units, 0U);
     EXPECT_EQ(learner_config({{changed, "cpg-h", true}, 10, 1}).learned_value, TWD_LEARN_FROM_UNCLIPPED);
 }
 
-// The stable PD law is told each joint's inertia and the substep, and leaves ranges and limit alone. Expected: Kp / D and
-// (Kd + h Kp) / D with D = 1 + h (Kd + h Kp) / M, from the settings, in double.
+// The stable PD law is told each joint's inertia and the substep, and leaves ranges and limit alone. Expected: Kp / D
+// and (Kd + h Kp) / D with D = 1 + h (Kd + h Kp) / M, from the settings, in double.
 TEST(ControllerSetup, stable_pd_law_takes_its_period_from_the_substeps)
 {
     for (const int substeps : {2, 5}) {
         const settings::Setup setup =
-            test::load_setup("mid-a",
-                            {{"hand.pd_law", "stable"},
-                             {"hand.pd_inertia_kg_m2", "{ fei = 4e-5, aai = 5e-5, fet = 6e-5, ot = 7e-5 }"},
-                             {"physics.substeps", std::to_string(substeps)}});
+            test::load_setup("mid-a", {{"hand.pd_law", "stable"},
+                                       {"hand.pd_inertia_kg_m2", "{ fei = 4e-5, aai = 5e-5, fet = 6e-5, ot = 7e-5 }"},
+                                       {"physics.substeps", std::to_string(substeps)}});
         const twd_controller_config plain = controller_config({mid_a(), "cpg-c", true});
         const twd_controller_config stable = controller_config({setup, "cpg-c", true});
         const double h = 0.01 / substeps;
@@ -117,8 +116,8 @@ TEST(ControllerSetup, chains_move_their_own_joints)
     EXPECT_EQ(config.finger[0].gravity.moving, 2);
 }
 
-// Held distal joints change the gravity table: a bent finger's centre of mass lies elsewhere. Expected: another moment of the last
-// moving link; the same of the first, which carries the same weight at the same joint.
+// Held distal joints change the gravity table: a bent finger's centre of mass lies elsewhere. Expected: another moment
+// of the last moving link; the same of the first, which carries the same weight at the same joint.
 TEST(ControllerSetup, held_angles_reach_the_gravity_table)
 {
     const auto bent_setup = test::load_setup("mid-a", {{"hand.index_distal_deg", "20"}});
@@ -130,7 +129,8 @@ TEST(ControllerSetup, held_angles_reach_the_gravity_table)
     EXPECT_GT(std::abs(twd_num_to_double(change_nm)), 1e-5);
 }
 
-// The squared norm of the learner's input is the set-up's 10 for each object. Expected: the setting, within the map's few per cent.
+// The squared norm of the learner's input is the set-up's 10 for each object. Expected: the setting, within the
+// map's few per cent.
 TEST(ControllerSetup, input_has_the_set_ups_norm)
 {
     for (const std::string &name : sim::object_names(TWIDDLE_MODELS)) {

@@ -13,7 +13,8 @@ namespace
 using namespace twiddle::engine;
 using namespace twiddle::engine::TWD_BUILD_NAMESPACE;
 
-// Every parameter has one name, and there are as many as Ciancio et al. 2011 count: 2, 5, 12, 22 with centre; 1, 3, 8, 15 without.
+// Every parameter has one name, and there are as many as Ciancio et al. 2011 count: 2, 5, 12, 22 with centre; 1,
+// 3, 8, 15 without.
 TEST(Models, parameters_are_as_many_as_the_paper_counts)
 {
     const std::vector<std::string> names = model_names();

@@ -37,7 +37,8 @@ TEST(Outline, sphere_points_lie_on_the_sphere)
     }
 }
 
-// Every point of a cylinder's outline lies on one of its rims: one radius from the axis, half the height from the centre.
+// Every point of a cylinder's outline lies on one of its rims: one radius from the axis, half the height
+// from the centre.
 TEST(Outline, cylinder_points_lie_on_the_rims)
 {
     const auto lines = object_outline(body(sim::Shape::cylinder));

@@ -29,8 +29,8 @@ record::RunSpecification specification(const std::string &model, std::uint32_t t
     return specification;
 }
 
-// In every row the reward is the scaled rotation, the TD error reward minus value, and the mixture's weights sum to 1; the first
-// value is 0. Expected: the paper's definitions, within the float's rounding.
+// In every row the reward is the scaled rotation, the TD error reward minus value, and the mixture's weights sum to 1;
+// the first value is 0. Expected: the paper's definitions, within the float's rounding.
 TEST(Training, rows_hold_the_papers_definitions)
 {
     Training training(specification("cpg-h", 10), TWIDDLE_MODELS);
@@ -47,8 +47,8 @@ TEST(Training, rows_hold_the_papers_definitions)
     }
 }
 
-// The noise falls from 0.5 at the start to 0.05 at 60 % of the trials and stays there. Expected: the paper's schedule at 0, 30,
-// 60 and 90 % of ten trials.
+// The noise falls from 0.5 at the start to 0.05 at 60 % of the trials and stays there. Expected: the paper's schedule
+// at 0, 30, 60 and 90 % of ten trials.
 TEST(Training, noise_follows_the_papers_schedule)
 {
     Training training(specification("cpg-s", 10), TWIDDLE_MODELS);

@@ -36,8 +36,8 @@ engine::Parameters random_parameters(std::size_t count, unsigned seed)
     return parameters;
 }
 
-// A trial depends on its parameters alone, not on the trials before, to the last bit of every joint angle. Expected: the trial
-// in a runner of its own.
+// A trial depends on its parameters alone, not on the trials before, to the last bit of every joint angle. Expected:
+// the trial in a runner of its own.
 TEST(Trial, trial_does_not_depend_on_earlier_ones)
 {
     for (const char *object : {"small-sphere", "medium-cylinder", "large-cube"}) {
@@ -109,8 +109,7 @@ TEST(Trial, wrong_parameters_are_refused)
     TrialRunner trials = runner("small-sphere", "cpg-s");
     EXPECT_THROW(trials.run({0.5}), std::invalid_argument);
     EXPECT_THROW(trials.run({0.5, 1.5}), std::invalid_argument);
-    EXPECT_THROW(trials.run({0.5, std::numeric_limits<double>::quiet_NaN()}),
-                 std::invalid_argument);
+    EXPECT_THROW(trials.run({0.5, std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);
 }
 
 // A state that is not a number, or out of all proportion, is a fault; the ends of the joints' ranges are not.

@@ -34,7 +34,8 @@ template <class To, class From> To bits_as(From from)
     return to;
 }
 
-// Random bit patterns of every exponent come back from their text as the same number. Expected: the number itself, read by strtod.
+// Random bit patterns of every exponent come back from their text as the same number. Expected: the number
+// itself, read by strtod.
 TEST(Csv, numbers_read_back_as_they_were)
 {
     const std::uint64_t seed = 20110824;
@@ -44,7 +45,8 @@ TEST(Csv, numbers_read_back_as_they_were)
         const auto small = bits_as<float>(static_cast<std::uint32_t>(random()));
         if (!(std::abs(value) <= std::numeric_limits<double>::max()) || !(std::abs(small) <= 3e38F)) continue;
         ASSERT_EQ(std::strtod(number_text(value).c_str(), nullptr), value) << "seed " << seed << ", case " << i;
-        ASSERT_EQ(std::strtof(number_text(double{small}, "float").c_str(), nullptr), small) << "seed " << seed << ", case " << i;
+        ASSERT_EQ(std::strtof(number_text(double{small}, "float").c_str(), nullptr), small)
+            << "seed " << seed << ", case " << i;
         ASSERT_EQ(parse_number(number_text(value)), value) << "seed " << seed << ", case " << i;
     }
 }
@@ -76,7 +78,8 @@ TEST(Csv, file_has_comments_header_and_rows)
     EXPECT_FALSE(std::filesystem::exists(part_path(path)));
 }
 
-// Until finish(), an older table keeps its name and text, and every row so far is in the part file. Expected: both texts, by hand.
+// Until finish(), an older table keeps its name and text, and every row so far is in the part file. Expected:
+// both texts, by hand.
 TEST(Csv, unfinished_table_does_not_take_the_name)
 {
     const ScratchFolder folder;

@@ -12,7 +12,8 @@ using twiddle::record::read_csv_header;
 
 using Columns = std::vector<std::vector<double>>;
 
-// Columns come in the order asked for; remarks and empty lines are no rows; a cell that is not asked for may hold anything.
+// Columns come in the order asked for; remarks and empty lines are no rows; a cell that is not asked for
+// may hold anything.
 TEST(CsvColumns, chosen_columns_in_the_order_asked_for)
 {
     const ScratchFolder folder;

@@ -46,7 +46,8 @@ TEST(Progress, bar_and_line_name_trial_reward_speed_and_time_left)
               "trial 250 of 1000 (25 %): reward 1.234 (mean of the last 100), 50.0 trials/s, 0:15 left");
 }
 
-// Off a terminal there are ten lines for any number of trials from ten on, and no control characters. Expected: ten, by definition.
+// Off a terminal there are ten lines for any number of trials from ten on, and no control characters. Expected:
+// ten, by definition.
 TEST(Progress, plain_lines_come_every_tenth)
 {
     for (const std::uint32_t trials : {10U, 37U, 5000U}) {
@@ -62,8 +63,8 @@ TEST(Progress, plain_lines_come_every_tenth)
     }
 }
 
-// On a terminal the bar is redrawn in place at most ten times a second and ends with a line end. Expected: 2 s of updates at 1 kHz,
-// the first and every 0.1 s after: 20, and the last one.
+// On a terminal the bar is redrawn in place at most ten times a second and ends with a line end. Expected: 2 s of
+// updates at 1 kHz, the first and every 0.1 s after: 20, and the last one.
 TEST(Progress, bar_redraws_in_place)
 {
     std::ostringstream out;
@@ -91,7 +92,8 @@ TEST(Progress, resumed_run_counts_only_its_own_speed)
     EXPECT_EQ(out.str(), "trial 100 of 100 (100 %): reward 3.000 (mean of the last 100), 2.0 trials/s, 0:00 left\n");
 }
 
-// A sweep's bar and line name runs, failures, speed and time left. Expected: by hand; 3000 trials at 1500 trials/s are 2 s.
+// A sweep's bar and line name runs, failures, speed and time left. Expected: by hand; 3000 trials at 1500
+// trials/s are 2 s.
 TEST(SweepProgress, bar_and_line_name_runs_failures_speed_and_time_left)
 {
     SweepState state{1, 4, 0, 1000, 3000, 1500};
@@ -102,8 +104,8 @@ TEST(SweepProgress, bar_and_line_name_runs_failures_speed_and_time_left)
     EXPECT_EQ(sweep_line(state), "1 of 4 runs, 2 failed (25 % of the trials): 1500.0 trials/s, 0:02 left");
 }
 
-// Off a terminal there is a plain line every ten seconds, on one a bar at most ten times a second, in place. Expected: of 60 s of
-// updates at 16 Hz, every second one draws the bar, 480, and the end does.
+// Off a terminal there is a plain line every ten seconds, on one a bar at most ten times a second, in place. Expected:
+// of 60 s of updates at 16 Hz, every second one draws the bar, 480, and the end does.
 TEST(SweepProgress, draws_at_its_intervals)
 {
     for (const bool terminal : {false, true}) {

@@ -50,8 +50,8 @@ std::vector<std::string> table_of(const std::string &csv)
     return lines;
 }
 
-// Expected, by hand: the first 50 trials, 1 to 50, have their middle at 25.5 and the runs' means 1, 0, 2; trials 51 to 70 at 60.5 and
-// 4, 6, 5; the standard deviation of three numbers one apart is 1.
+// Expected, by hand: the first 50 trials, 1 to 50, have their middle at 25.5 and the runs' means 1, 0, 2; trials 51 to
+// 70 at 60.5 and 4, 6, 5; the standard deviation of three numbers one apart is 1.
 TEST(FigureData, points_are_means_over_50_trials)
 {
     const std::vector<CurvePoint> curve = learning_curve(three_runs());

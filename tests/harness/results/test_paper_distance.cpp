@@ -57,7 +57,8 @@ TEST(PaperDistance, pairs_are_the_cells_that_the_paper_has_of_the_objects)
     EXPECT_DOUBLE_EQ(pairs[1].paper, 2.829);
 }
 
-// The calibration's object is on the paper's value, the held-out one a factor e above: errors 0, 1, and sqrt(1/2) over both.
+// The calibration's object is on the paper's value, the held-out one a factor e above: errors 0, 1, and
+// sqrt(1/2) over both.
 TEST(PaperDistance, held_out_objects_are_judged_apart)
 {
     PaperValues paper;

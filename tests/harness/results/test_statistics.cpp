@@ -27,7 +27,8 @@ Values normal_values(std::size_t count, double mean, double sd, unsigned seed)
     return values;
 }
 
-// Two groups without ties whose U is `u`: of b = 1, 2, ..., some values of a lie above all, one above the rest of u, others below all.
+// Two groups without ties whose U is `u`: of b = 1, 2, ..., some values of a lie above all, one above the rest of u,
+// others below all.
 std::pair<Values, Values> groups_with_u(std::size_t a_size, std::size_t b_size, std::size_t u)
 {
     Values a;
@@ -53,8 +54,8 @@ TEST(Statistics, mean_and_spread_are_those_of_gsl)
     }
 }
 
-// Of a large normal sample, the interval is the normal theory's. Expected: mean +- 1.96 standard errors; a quantile of 10,000
-// resamples is known to sqrt(0.025 0.975 / 10000) / 0.0584 = 0.027 standard errors, of which four are allowed.
+// Of a large normal sample, the interval is the normal theory's. Expected: mean +- 1.96 standard errors; a quantile of
+// 10,000 resamples is known to sqrt(0.025 0.975 / 10000) / 0.0584 = 0.027 standard errors, of which four are allowed.
 TEST(Statistics, bootstrap_of_a_large_sample_is_the_normal_theorys)
 {
     const Values values = normal_values(2000, 3, 1.5, 7);
@@ -66,8 +67,8 @@ TEST(Statistics, bootstrap_of_a_large_sample_is_the_normal_theorys)
     EXPECT_NEAR(interval.upper, middle + half, 0.11 * error);
 }
 
-// Of four values, the interval's ends are those of all 256 resamples, which the test makes. The values' means are far enough apart that
-// no end lies near a step of the distribution.
+// Of four values, the interval's ends are those of all 256 resamples, which the test makes. The values' means are far
+// enough apart that no end lies near a step of the distribution.
 TEST(Statistics, bootstrap_of_four_values_is_that_of_all_resamples)
 {
     const Values values = {5, 6, 7, 8};
@@ -92,9 +93,9 @@ TEST(Statistics, bootstrap_of_equal_values_has_no_width)
     EXPECT_EQ(interval.upper, 2);
 }
 
-// Of n cells with 0 and 4 changed and 0 and 0 before, each cell's resampled difference is 0, 2 or 4 with 1/4, 1/2, 1/4. Expected, by
-// hand: for one and two cells the ends have more than 2.5 % each, (1/4)^n, and are the interval's; for three they have 1.6 %, and the next
-// values, 2/3 from the ends, have 11 % with them.
+// Of n cells with 0 and 4 changed and 0 and 0 before, each cell's resampled difference is 0, 2 or 4 with 1/4, 1/2, 1/4.
+// Expected, by hand: for one and two cells the ends have more than 2.5 % each, (1/4)^n, and are the interval's; for
+// three they have 1.6 %, and the next values, 2/3 from the ends, have 11 % with them.
 TEST(Statistics, bootstrap_of_differences_is_that_of_all_resamples)
 {
     const std::vector<Values> expected = {{0, 4}, {0, 4}, {2.0 / 3, 10.0 / 3}};
@@ -113,8 +114,8 @@ TEST(Statistics, bootstrap_of_differences_is_that_of_all_resamples)
     EXPECT_EQ(mean_difference({{{1, 3}, {0}}, {{5}, {4, 8}}}), 0.5); // (2 - 1) / 2
 }
 
-// Of large normal samples, the interval is the normal theory's. Expected: the difference +- 1.96 standard errors, of which one end is
-// known to 0.027 and 0.11 is allowed, as above; the cells' errors add in squares.
+// Of large normal samples, the interval is the normal theory's. Expected: the difference +- 1.96 standard errors, of
+// which one end is known to 0.027 and 0.11 is allowed, as above; the cells' errors add in squares.
 TEST(Statistics, bootstrap_of_large_differences_is_the_normal_theorys)
 {
     const std::vector<CellChange> cells = {{normal_values(500, 3, 1.5, 7), normal_values(700, 2, 1, 8)},
@@ -146,8 +147,8 @@ TEST(Statistics, holm_is_the_step_down_by_hand)
     EXPECT_TRUE(holm_corrected({}).empty());
 }
 
-// The exact p. Expected: from every way to choose which of the values 0, 1, ... are a's, twice the share of those with U at least as
-// far out, at most 1.
+// The exact p. Expected: from every way to choose which of the values 0, 1, ... are a's, twice the share of those with
+// U at least as far out, at most 1.
 TEST(MannWhitney, exact_p_is_that_of_all_arrangements)
 {
     for (std::size_t a_size = 1; a_size <= 6; ++a_size) {
@@ -198,7 +199,8 @@ TEST(MannWhitney, critical_values_are_the_tables)
     }
 }
 
-// Expected: Hollander and Wolfe, "Nonparametric Statistical Methods", the permeability of human membranes: U = 35, one-sided p 0.1272.
+// Expected: Hollander and Wolfe, "Nonparametric Statistical Methods", the permeability of human membranes: U = 35,
+// one-sided p 0.1272.
 TEST(MannWhitney, permeability_example_of_hollander_and_wolfe)
 {
     const MannWhitney test =
@@ -215,8 +217,9 @@ TEST(MannWhitney, four_against_four_is_at_best_one_in_35)
     EXPECT_NEAR(mann_whitney({5, 6, 7, 8}, {1, 2, 3, 4}).p, 2.0 / 70, 1e-15);
 }
 
-// With ties. Expected, by hand, with GSL's normal distribution: a = 1 2 2 3, b = 2 4 4 5 6 has U = 0 + 1/2 + 1/2 + 1 = 2, ties of three
-// and two, variance 20 / 12 (10 - (24 + 6) / 72), and a distance of 10 - 2 - 1/2.
+// With ties. Expected, by hand, with GSL's normal distribution: a = 1 2 2 3, b = 2 4 4 5 6 has
+// U = 0 + 1/2 + 1/2 + 1 = 2, ties of three and two, variance 20 / 12 (10 - (24 + 6) / 72), and a distance
+// of 10 - 2 - 1/2.
 TEST(MannWhitney, ties_are_corrected_for)
 {
     const MannWhitney test = mann_whitney({1, 2, 2, 3}, {2, 4, 4, 5, 6});
@@ -227,8 +230,8 @@ TEST(MannWhitney, ties_are_corrected_for)
     EXPECT_EQ(mann_whitney({3, 3}, {3, 3, 3}).p, 1);
 }
 
-// Just above the size of exact tests the approximation takes over smoothly. Expected: within 0.002 of the exact p of one value fewer
-// a group, at the same standardised distance.
+// Just above the size of exact tests the approximation takes over smoothly. Expected: within 0.002 of the exact p of
+// one value fewer a group, at the same standardised distance.
 TEST(MannWhitney, large_groups_are_approximated)
 {
     const Values a = normal_values(exact_group_size + 1, 0, 1, 3);

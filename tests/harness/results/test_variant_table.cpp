@@ -31,8 +31,9 @@ Sweep made_up_sweep()
     return sweep;
 }
 
-// Expected, by hand. "soft", CPG-H: means (3 + 11) / 2 and (2 + 5) / 2; the objects' resampled differences sum to 4 with 1/64, to 4 or 5
-// with 7/64, so the interval begins at 5/2, and by symmetry ends at 9/2. "odd", CPG-C: 0 less 5, 6 or 7 with 1/4, 1/2, 1/4.
+// Expected, by hand. "soft", CPG-H: means (3 + 11) / 2 and (2 + 5) / 2; the objects' resampled differences sum to 4
+// with 1/64, to 4 or 5 with 7/64, so the interval begins at 5/2, and by symmetry ends at 9/2. "odd", CPG-C: 0 less 5, 6
+// or 7 with 1/4, 1/2, 1/4.
 TEST(VariantTable, variants_stand_beside_the_base)
 {
     const VariantTable table = variant_table(made_up_sweep(), cells);

@@ -1,11 +1,11 @@
 // Set-ups: their files, overrides and the sentences that refuse wrong ones.
 #include "scratch_folder.hpp"
 
-#include "sim/hand_model.hpp"
 #include "settings/joints.hpp"
 #include "settings/setting_table.hpp"
-#include "setups.hpp"
 #include "settings/text_file.hpp"
+#include "setups.hpp"
+#include "sim/hand_model.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -22,7 +22,6 @@ namespace twiddle
 {
 namespace
 {
-
 
 // What is known of each set-up; the lengths in m, angles in deg, torques in N m, masses in kg.
 struct Expected {
@@ -107,7 +106,8 @@ TEST(setup, shared_settings_have_their_values)
     EXPECT_EQ(s.learner.noise_decay_fraction, 0.6);
 }
 
-// Inertia of `first_link`, of the links that hang on it, at `angle_rad` of each link, and of a drive about its joint's axis.
+// Inertia of `first_link`, of the links that hang on it, at `angle_rad` of each link, and of a drive about
+// its joint's axis.
 double inertia_about_joint(const sim::HandModel &hand, int first_link, const std::vector<double> &angle_rad,
                            double reflected_kg_m2)
 {
@@ -231,17 +231,17 @@ TEST(setup, every_setting_is_stored_in_a_place_of_its_own)
 
 TEST(setup, overrides_take_toml_values_and_bare_words)
 {
-    const settings::Setup s = test::load_setup("mid-a",
-                                    {{"object.mass_kg", "0.2"},
-                                     {"object.cube_size", "half-diagonal"},
-                                     {"oscillators.phase_start", "\"zero\""},
-                                     {"hand.pd_law", "stable"},
-                                     {"contact.index_thumb_contact", "true"},
-                                     {"physics.substeps", "7"},
-                                     {"object.counted_direction", "+1"},
-                                     {"hand.damping_nms_per_rad", "{ fei = 0.1, aai = 0.2, fet = 0.3, ot = 0.4 }"},
-                                     {"physics.gravity_direction", "[0, 0, 1]"},
-                                     {"object.mass_kg", "0.3"}});
+    const settings::Setup s =
+        test::load_setup("mid-a", {{"object.mass_kg", "0.2"},
+                                   {"object.cube_size", "half-diagonal"},
+                                   {"oscillators.phase_start", "\"zero\""},
+                                   {"hand.pd_law", "stable"},
+                                   {"contact.index_thumb_contact", "true"},
+                                   {"physics.substeps", "7"},
+                                   {"object.counted_direction", "+1"},
+                                   {"hand.damping_nms_per_rad", "{ fei = 0.1, aai = 0.2, fet = 0.3, ot = 0.4 }"},
+                                   {"physics.gravity_direction", "[0, 0, 1]"},
+                                   {"object.mass_kg", "0.3"}});
     EXPECT_EQ(s.object.mass_kg, 0.3); // the last one counts
     EXPECT_EQ(s.object.cube_size, settings::CubeSize::half_diagonal);
     EXPECT_EQ(s.oscillators.phase_start, settings::PhaseStart::zero);
@@ -283,9 +283,7 @@ TEST(setup, a_wrong_override_is_refused_in_one_sentence_that_names_it)
         {"physics.gravity_direction", "[0, 1]", "vector of length 1"},
     };
     for (const auto &[name, value, reason] : cases) {
-        const std::string error = test::error_of([&, n = name, v = value] {
-            test::load_setup("mid-a", {{n, v}});
-        });
+        const std::string error = test::error_of([&, n = name, v = value] { test::load_setup("mid-a", {{n, v}}); });
         EXPECT_TRUE(test::is_one_sentence_with(error, {"--set", reason})) << name << "=" << value << ": " << error;
     }
 }
@@ -293,11 +291,9 @@ TEST(setup, a_wrong_override_is_refused_in_one_sentence_that_names_it)
 TEST(setup, settings_that_contradict_each_other_are_refused)
 {
     for (const auto &[name, value] : std::vector<settings::Override>{{"oscillators.frequency_lower_hz", "4"},
-                                                                {"oscillators.centre_lower", "1"},
-                                                                {"learner.noise_end", "0.9"}}) {
-        const std::string error = test::error_of([&, n = name, v = value] {
-            test::load_setup("mid-a", {{n, v}});
-        });
+                                                                     {"oscillators.centre_lower", "1"},
+                                                                     {"learner.noise_end", "0.9"}}) {
+        const std::string error = test::error_of([&, n = name, v = value] { test::load_setup("mid-a", {{n, v}}); });
         const std::string key = name.substr(name.find('.') + 1);
         EXPECT_TRUE(test::is_one_sentence_with(error, {"mid-a.toml with --set", key})) << error;
     }
@@ -345,12 +341,12 @@ TEST(setup, incomplete_settings_are_refused)
     for (const auto &setting : settings::setting_table()) {
         auto settings = nlohmann::json::parse(whole);
         settings[setting.section].erase(setting.key);
-        const std::string error = test::error_of([&] { settings::setup_from_settings(settings.dump(), "mid-a", "run.json"); });
+        const std::string error =
+            test::error_of([&] { settings::setup_from_settings(settings.dump(), "mid-a", "run.json"); });
         const std::string title = "[" + setting.section + "] " + setting.key;
         EXPECT_TRUE(test::is_one_sentence_with(error, {"run.json: " + title + " is missing; expected"})) << error;
     }
-    const std::string error =
-        test::error_of([] { settings::setup_from_settings("[]", "mid-a", "run.json"); });
+    const std::string error = test::error_of([] { settings::setup_from_settings("[]", "mid-a", "run.json"); });
     EXPECT_TRUE(test::is_one_sentence_with(error, {"run.json:", "no settings"})) << error;
 }
 

@@ -1,9 +1,9 @@
 // fixtures.hpp: what the simulation's tests share.
 #pragma once
 
+#include "setups.hpp"
 #include "sim/articulated_hand.hpp"
 #include "sim/hand_model.hpp"
-#include "setups.hpp"
 
 #include <random>
 #include <string>

@@ -77,8 +77,8 @@ inline double correlation(const std::vector<double> &a, const std::vector<double
     return ab / std::sqrt(aa * bb);
 }
 
-// An object that is pressed by fingers that stand still creeps less than 0.005 rad in 1.5 s after the first 1.5 s. Amplitudes
-// are 0 and the centres press the index (and, by case, the thumb) on the object.
+// An object that is pressed by fingers that stand still creeps less than 0.005 rad in 1.5 s after the first 1.5 s.
+// Amplitudes are 0 and the centres press the index (and, by case, the thumb) on the object.
 inline void expect_no_creep(TrialRunner &runner, const std::string &object)
 {
     struct Press {

@@ -1,4 +1,5 @@
-// The straight hand's clearance of the object, and Bullet's contacts against libccd's Minkowski portal refinement (MPR).
+// The straight hand's clearance of the object, and Bullet's contacts against libccd's Minkowski portal
+// refinement (MPR).
 #include "fixtures.hpp"
 
 #include "sim/clearance.hpp"
@@ -6,12 +7,12 @@
 #include "sim/reference/hinged_object.hpp"
 #include "sim/world.hpp"
 
+#include "setups.hpp"
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
-#include "setups.hpp"
 
 #include <gtest/gtest.h>
 
@@ -301,8 +302,8 @@ TEST_P(Contact, of_bullet_is_the_shortest_way_out_that_mpr_finds)
     EXPECT_EQ(already_apart, 0);
 }
 
-// Expected: MPR's depth is that of one way out, hence never less than Bullet's, which is the least; and the two agree in
-// most poses. MPR looks along the line between the bodies' centres: far from it, at rims and ends, its estimate is
+// Expected: MPR's depth is that of one way out, hence never less than Bullet's, which is the least; and the two agree
+// in most poses. MPR looks along the line between the bodies' centres: far from it, at rims and ends, its estimate is
 // coarse, and its direction there says little.
 TEST_P(Contact, of_bullet_is_no_deeper_than_mpr_estimates)
 {
@@ -320,8 +321,9 @@ TEST_P(Contact, of_bullet_is_no_deeper_than_mpr_estimates)
     EXPECT_LE(shortfall_m.largest(), 1e-6);
 }
 
-// Bullet's GJK ends on absolute tolerances made for bodies of a metre: on the curved side of a cylinder of centimetres it
-// ends early (by 0.1 mm at most, and the error falls with the square of the scale), at a cube's edges by micrometres.
+// Bullet's GJK ends on absolute tolerances made for bodies of a metre: on the curved side of a cylinder of
+// centimetres it ends early (by 0.1 mm at most, and the error falls with the square of the scale), at a cube's
+// edges by micrometres.
 INSTANTIATE_TEST_SUITE_P(Sim, Contact,
                          testing::Values(ContactCase{"small-sphere", 1e-6, 0.01},
                                          ContactCase{"medium-cylinder", 200e-6, 8},

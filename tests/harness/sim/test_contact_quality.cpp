@@ -26,8 +26,8 @@ class ContactQuality : public testing::TestWithParam<const char *>
 
 } // namespace
 
-// Final rotations over 60 random parameter sets correlate at least 0.95 with a run of 50 substeps, and no finger reaches
-// more than 1.5 mm into the object, at the default substeps. The curve against substeps is printed.
+// Final rotations over 60 random parameter sets correlate at least 0.95 with a run of 50 substeps, and no finger
+// reaches more than 1.5 mm into the object, at the default substeps. The curve against substeps is printed.
 TEST_P(ContactQuality, default_substeps_agree_with_a_converged_run)
 {
     const std::string object = GetParam();
@@ -56,8 +56,8 @@ TEST_P(ContactQuality, pressed_object_does_not_creep)
     expect_no_creep(runner, GetParam());
 }
 
-// With all 19 joints movable and the held ones on motors, the small sphere turns as with rigid ones. Expected: the welded hand's
-// rotations.
+// With all 19 joints movable and the held ones on motors, the small sphere turns as with rigid ones. Expected: the
+// welded hand's rotations.
 TEST(HandHolds, full_hand_turns_the_object_as_the_welded_one_does)
 {
     constexpr int full_sets = 20;

@@ -40,8 +40,8 @@ ContactVector velocity(const ContactMatrix &w, const ContactVector &p, const Con
     return u;
 }
 
-// Whether mu is small enough for the contact never to jam: the normal velocity then grows with the normal impulse in every
-// direction of slip, and the laws have one answer.
+// Whether mu is small enough for the contact never to jam: the normal velocity then grows with the normal impulse in
+// every direction of slip, and the laws have one answer.
 bool has_one_answer(const ContactMatrix &w, double friction)
 {
     return w[0][0] > friction * std::hypot(w[0][1], w[0][2]);
@@ -49,8 +49,8 @@ bool has_one_answer(const ContactMatrix &w, double friction)
 
 } // namespace
 
-// Over 10,000 random contacts the impulse is within the cone, does not pull, lets nothing approach, and either sticks or
-// opposes the slip at full friction. Expected: the laws, term by term.
+// Over 10,000 random contacts the impulse is within the cone, does not pull, lets nothing approach, and either sticks
+// or opposes the slip at full friction. Expected: the laws, term by term.
 TEST(CoulombContact, obeys_signorini_and_coulomb)
 {
     constexpr unsigned seed = 3;

@@ -70,9 +70,8 @@ TEST(FullHand, a_reset_equals_a_rebuild_with_the_full_hand)
     const sim::HandModel hand = sim::icub_hand();
     const sim::ObjectSpec object = sim::read_object(TWIDDLE_MODELS, "small-sphere");
     const auto fresh = [&] {
-        return TrialRunner(
-            TrialWorld(sim::Stepper::reference, hand, object, sim::default_setup(), sim::HandHold::full),
-            engine::engine_of_number(TWIDDLE_NUMBER), "cpg-h", true);
+        return TrialRunner(TrialWorld(sim::Stepper::reference, hand, object, sim::default_setup(), sim::HandHold::full),
+                           engine::engine_of_number(TWIDDLE_NUMBER), "cpg-h", true);
     };
     std::mt19937_64 random(20112);
     const engine::Parameters first = random_parameters(random), second = random_parameters(random);

@@ -28,8 +28,8 @@ constexpr double substep_s = 0.002;
 constexpr double friction = 0.5;
 constexpr double pi = 3.14159265358979323846;
 
-// A body that glides along x, y and z on three massive slides, over fixed ground whose surface is z = 0. The slides' masses
-// make the effective masses along x and y differ, as a finger's do: (m_x + m_y + m) along x, (m_y + m) along y.
+// A body that glides along x, y and z on three massive slides, over fixed ground whose surface is z = 0. The slides'
+// masses make the effective masses along x and y differ, as a finger's do: (m_x + m_y + m) along x, (m_y + m) along y.
 class SlidingWorld
 {
   public:

@@ -1,4 +1,5 @@
-// The controller's gravity torque (controller/gravity.h) against Bullet's inverse dynamics, and holding the Bullet hand.
+// The controller's gravity torque (controller/gravity.h) against Bullet's inverse dynamics, and holding
+// the Bullet hand.
 #include "bullet_inverse_dynamics.hpp"
 #include "fixtures.hpp"
 
@@ -25,8 +26,8 @@ namespace id = btInverseDynamicsBullet3;
 
 constexpr double deg = M_PI / 180;
 
-// The finger `name` of the hand's URDF as a tree of Bullet's inverse dynamics, in the `hand` frame: its first two joints
-// move, the other two are rigid at `held_rad`. The drives' reflected inertia has no weight and stays out.
+// The finger `name` of the hand's URDF as a tree of Bullet's inverse dynamics, in the `hand` frame: its first two
+// joints move, the other two are rigid at `held_rad`. The drives' reflected inertia has no weight and stays out.
 void build_finger(id::MultiBodyTree &tree, const sim::HandModel &model, const std::string &name, double held_rad,
                   const btVector3 &gravity_m_s2)
 {
@@ -71,7 +72,8 @@ TEST_P(GravityTorque, equals_bullets_inverse_dynamics)
 {
     const auto [name, finger, held_deg] = GetParam();
     const std::string held = std::to_string(held_deg);
-    const settings::Setup setup = sim::default_setup({{"hand.index_distal_deg", held}, {"hand.thumb_distal_deg", held}});
+    const settings::Setup setup =
+        sim::default_setup({{"hand.index_distal_deg", held}, {"hand.thumb_distal_deg", held}});
     const twd_controller_config config = engine::TWD_BUILD_NAMESPACE::controller_config({setup, "cpg-c", true});
     const sim::HandModel model = sim::icub_hand();
     const auto &direction = setup.physics.gravity_direction;
@@ -121,8 +123,7 @@ class GravityHold : public testing::TestWithParam<std::tuple<sim::Stepper, const
           world_(sim::make_world(std::get<0>(GetParam()), sim::icub_hand(),
                                  sim::read_object(TWIDDLE_MODELS, "small-sphere"), setup_, sim::HandHold::welded))
     {
-        const twd_controller_config config =
-            engine::TWD_BUILD_NAMESPACE::controller_config({setup_, "cpg-c", true});
+        const twd_controller_config config = engine::TWD_BUILD_NAMESPACE::controller_config({setup_, "cpg-c", true});
         EXPECT_EQ(twd_controller_init(&controller_, &config), TWD_OK);
     }
 

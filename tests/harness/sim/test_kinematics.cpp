@@ -157,8 +157,8 @@ TEST(Kinematics, welded_hand_has_two_fingers_and_4_degrees_of_freedom)
 constexpr JointVector paper_lower_rad = {0, -15 * deg, 0, 0};
 constexpr JointVector paper_upper_rad = {90 * deg, 15 * deg, 90 * deg, 130 * deg};
 
-// No joint passes its stop by more, nor rests further from it. The solver ends at velocity changes of 3e-5 rad/s, which in
-// a substep of 2 ms is 6e-8 rad.
+// No joint passes its stop by more, nor rests further from it. The solver ends at velocity changes of 3e-5 rad/s, which
+// in a substep of 2 ms is 6e-8 rad.
 constexpr double stop_tolerance_rad = 1e-6;
 constexpr double rest_tolerance_rad_s = 1e-4;
 
@@ -210,8 +210,8 @@ TEST_P(Stops, a_joint_driven_hard_into_its_stop_stays_there)
     EXPECT_LE(furthest_rad, stop_tolerance_rad);
 }
 
-// Drives all joints by random torques up to the limit, each held for 1 to 20 substeps; returns how far a joint passed its
-// stop.
+// Drives all joints by random torques up to the limit, each held for 1 to 20 substeps; returns how far a joint
+// passed its stop.
 double random_drive_beyond_stops_rad(sim::World &world, int changes)
 {
     constexpr unsigned seed = 2;
@@ -249,8 +249,8 @@ TEST(Kinematics, random_torques_against_the_object_never_drive_a_joint_past_its_
     }
 }
 
-// With the held joints on motors, which contacts can move within a substep, a stop gives a little. Expected: the paper's ranges,
-// within a hundredth of a radian.
+// With the held joints on motors, which contacts can move within a substep, a stop gives a little. Expected: the
+// paper's ranges, within a hundredth of a radian.
 TEST(Kinematics, random_torques_on_the_full_hand_against_the_object_pass_a_stop_by_little)
 {
     const auto world =

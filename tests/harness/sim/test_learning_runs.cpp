@@ -49,8 +49,8 @@ Learned learn(std::uint64_t seed)
     return learned;
 }
 
-// Mean of the last 100 trials of an agent whose rates are 0, under the same noise schedule. Its earlier trials cannot change
-// it, so their rotations need no simulation.
+// Mean of the last 100 trials of an agent whose rates are 0, under the same noise schedule. Its earlier trials cannot
+// change it, so their rotations need no simulation.
 double last_without_learning_rad(std::uint64_t seed)
 {
     Training training(specification(seed, {{"learner.actor_rate", "0"}, {"learner.critic_rate", "0"}}), TWIDDLE_MODELS);
@@ -70,8 +70,8 @@ double median(std::vector<double> values)
 
 } // namespace
 
-// Over five seeds of 1,000 trials, the median rotation of the last 100 trials is at least twice that of the first 100, and
-// above that of an agent that does not learn.
+// Over five seeds of 1,000 trials, the median rotation of the last 100 trials is at least twice that of the first 100,
+// and above that of an agent that does not learn.
 TEST(Learning, cpg_c_learns_to_turn_the_small_sphere)
 {
     std::vector<double> first_rad, last_rad, untrained_rad;

@@ -31,12 +31,13 @@ class stepper_agreement : public testing::TestWithParam<const char *>
 {
 };
 
-// Final rotations over 200 random parameter sets at the default substeps correlate at least 0.98 with the reference's at 50
-// substeps, and no finger reaches more than 0.5 mm into the object. With the stepper's own at 100 substeps, in five batches of
-// 200, at most 2 % of the trials differ by more than 0.3 rad, and the median r is at least 0.999 (0.99 for cubes).
+// Final rotations over 200 random parameter sets at the default substeps correlate at least 0.98 with the reference's
+// at 50 substeps, and no finger reaches more than 0.5 mm into the object. With the stepper's own at 100 substeps, in
+// five batches of 200, at most 2 % of the trials differ by more than 0.3 rad, and the median r is at least 0.999
+// (0.99 for cubes).
 //
-// Why cubes are less: a fingertip on the very edge of slipping off a corner goes one way or the other by the last digit, at any
-// number of substeps (at 20 as at 5), and one such trial among 200 takes r to between 0.98 and 0.998.
+// Why cubes are less: a fingertip on the very edge of slipping off a corner goes one way or the other by the last
+// digit, at any number of substeps (at 20 as at 5), and one such trial among 200 takes r to between 0.98 and 0.998.
 TEST_P(stepper_agreement, rotations_agree_with_converged_runs_of_both_steppers)
 {
     const std::string object = GetParam();
@@ -82,13 +83,15 @@ TEST_P(stepper_agreement, pressed_object_does_not_creep)
     expect_no_creep(runner, GetParam());
 }
 
-// Trials of all four models, one after the other: no joint and no object leaves the possible. 9 objects x 2,224 trials are 20,016.
+// Trials of all four models, one after the other: no joint and no object leaves the possible. 9 objects x 2,224
+// trials are 20,016.
 TEST_P(stepper_agreement, random_trials_have_no_fault)
 {
     constexpr int trials_of_a_model = 556;
     for (const char *model : {"cpg-s", "cpg-m", "cpg-c", "cpg-h"}) {
-        TrialRunner runner(TrialWorld(sim::Stepper::fast, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, GetParam()),
-                                      sim::default_setup(), sim::HandHold::welded),
+        TrialRunner runner(TrialWorld(sim::Stepper::fast, sim::icub_hand(),
+                                      sim::read_object(TWIDDLE_MODELS, GetParam()), sim::default_setup(),
+                                      sim::HandHold::welded),
                            engine::engine_of_number("float"), model, true);
         std::mt19937_64 random(seed);
         for (int i = 0; i < trials_of_a_model; i++) {
@@ -105,14 +108,14 @@ INSTANTIATE_TEST_SUITE_P(Sim, stepper_agreement,
                                          "large-cube"),
                          [](const auto &object) { return test_name(object.param); });
 
-// Without anything to touch, joints under the same controller go the same ways within 1e-4 rad, at every control step of 20
-// random trials, stops included.
+// Without anything to touch, joints under the same controller go the same ways within 1e-4 rad, at every control step
+// of 20 random trials, stops included.
 TEST(stepper_free_motion, is_the_same)
 {
     const settings::Setup setup = sim::default_setup({{"object.hinge_x_m", "-0.2"}});
     const auto angles = [&](sim::Stepper stepper) {
-        TrialRunner runner(TrialWorld(stepper, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, "small-sphere"), setup,
-                                      sim::HandHold::welded),
+        TrialRunner runner(TrialWorld(stepper, sim::icub_hand(), sim::read_object(TWIDDLE_MODELS, "small-sphere"),
+                                      setup, sim::HandHold::welded),
                            engine::engine_of_number("float"), "cpg-c", true);
         std::mt19937_64 random(seed);
         std::vector<double> angle_rad;

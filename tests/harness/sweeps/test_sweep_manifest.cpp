@@ -55,7 +55,8 @@ std::set<std::string> folders_of(const SweepPlan &plan)
 const std::string one_block = "trials = 10\n[[runs]]\nobjects = [\"small-cube\"]\nmodels = [\"cpg-c\"]\nseeds = 1\n";
 
 // Expected: the counts, by multiplication: 9 objects x (4 models + CPG-H without centre) x 4 seeds; 9 x 4 x 2 x 20;
-// 2 objects x (2 models + CPG-H without centre) x 2 seeds; 3 objects x 2 models x 5 seeds x (1 + 11 and 1 + 9 variants). None forces a set-up.
+// 2 objects x (2 models + CPG-H without centre) x 2 seeds; 3 objects x 2 models x 5 seeds x (1 + 11 and 1 + 9
+// variants). None forces a set-up.
 TEST(SweepManifest, files_of_the_repository_have_their_counts)
 {
     const std::vector<std::tuple<std::string, std::size_t, std::uint32_t>> expected = {{"paper", 180, 5000},
@@ -100,8 +101,8 @@ TEST(SweepManifest, a_block_is_every_combination_of_its_lists)
     EXPECT_EQ(last.trials, 10U);
 }
 
-// Where the manifest is silent, the program's defaults hold. Expected: the settings as load_setup() gives them, with and without
-// the same override.
+// Where the manifest is silent, the program's defaults hold. Expected: the settings as load_setup() gives them, with
+// and without the same override.
 TEST(SweepManifest, settings_are_those_of_the_set_up_and_the_variant)
 {
     const ScratchFolder folder;

@@ -12,12 +12,13 @@ namespace
 
 constexpr double least_inverse_mass = 1e-9; // 1/kg, as contact_solver.cpp has it; a finger's is about 100
 
-// Of a contact's impulse, what the law's own solution may miss of the cone, as a share of the impulse that would stop the
-// contact without friction (coulomb_contact.hpp).
+// Of a contact's impulse, what the law's own solution may miss of the cone, as a share of the impulse that would stop
+// the contact without friction (coulomb_contact.hpp).
 constexpr double cone_share = 2e-10;
 
-// Relative rounding error of the tangential impulse. Where two joints and a hinge, or what of them moves, cannot move a contact in
-// all directions, W is singular but for the share 1e-12 that coulomb_contact.cpp adds, and digits are lost in that ratio.
+// Relative rounding error of the tangential impulse. Where two joints and a hinge, or what of them moves, cannot move
+// a contact in all directions, W is singular but for the share 1e-12 that coulomb_contact.cpp adds, and digits are
+// lost in that ratio.
 double rounding_share(const ContactMatrix &w, double multiplier)
 {
     const double a11 = w[1][1] - w[0][1] * w[0][1] / w[0][0], a12 = w[1][2] - w[0][1] * w[0][2] / w[0][0],
@@ -221,8 +222,8 @@ std::string broken_law(const Contact &contact, const Regime &regime, const Veloc
     if (u[0] < -off_m_s[0]) return "approach";
     if (tangential_ns > friction * p[0] + cone_ns) return "cone";
     if (p[0] > 0 && u[0] > off_m_s[0]) return "push without touch";
-    // Most dissipation: where there is slip, the tangential impulse is mu p_n against it. The sum is 0 then, and by the cone
-    // never below.
+    // Most dissipation: where there is slip, the tangential impulse is mu p_n against it. The sum is 0 then, and by the
+    // cone never below.
     const double not_dissipated = p[1] * u[1] + p[2] * u[2] + friction * p[0] * slip_m_s;
     const double off_tangential_m_s = std::hypot(off_m_s[1], off_m_s[2]) + (w[1][1] + w[2][2]) * rounding_ns;
     if (not_dissipated > 2 * friction * p[0] * off_tangential_m_s + cone_ns * slip_m_s) return "dissipation";

@@ -27,11 +27,13 @@ struct ContactProblem {
     double friction = 0;
 };
 
-// How the contacts of one finger lie. face: on one capsule, normals within a few degrees, as on a face or an edge of the
-// object. scattered: on any capsule with any normal, so that the finger may be wedged in between; no convex object does that.
+// How the contacts of one finger lie. face: on one capsule, normals within a few degrees, as on a face or an edge of
+// the object. scattered: on any capsule with any normal, so that the finger may be wedged in between; no convex
+// object does that.
 enum class Places { face, scattered };
 
-// The fingers of the iCub's hand in random postures with random torques on them, and contacts at random places of their capsules.
+// The fingers of the iCub's hand in random postures with random torques on them, and contacts at random places
+// of their capsules.
 class ProblemSource
 {
   public:
@@ -98,9 +100,9 @@ double largest_difference(const Velocities &a, const Velocities &b);
 double largest_entry(const Velocities &velocities);
 void add(Velocities &velocities, const Velocities &change);
 
-// Whether `found` and the contacts' impulses are where the solver's sweeps come to rest: one more sweep, made here, changes no velocity
-// by more than the solver's own limit. A problem that has not settled when the solver's sweeps are used up has no
-// answer to be compared.
+// Whether `found` and the contacts' impulses are where the solver's sweeps come to rest: one more sweep, made here,
+// changes no velocity by more than the solver's own limit. A problem that has not settled when the solver's sweeps are
+// used up has no answer to be compared.
 bool has_settled(const ContactProblem &problem, const Regime &regime, const Velocities &found);
 
 } // namespace twiddle::sim

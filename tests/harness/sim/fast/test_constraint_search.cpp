@@ -1,4 +1,5 @@
-// Contacts, joint stops and hinge friction of a substep together. Expected: the law of each, and one case worked by hand.
+// Contacts, joint stops and hinge friction of a substep together. Expected: the law of each, and one
+// case worked by hand.
 #include "contact_problems.hpp"
 
 #include <gtest/gtest.h>
@@ -47,8 +48,8 @@ std::string broken_hinge_law(const ContactProblem &problem, const Velocities &fo
     return "";
 }
 
-// The law of one joint's two stops: the joint passes neither (from behind one it comes back as far as asked), and the impulse
-// that contacts do not explain pushes inwards, and only at a stop that is reached.
+// The law of one joint's two stops: the joint passes neither (from behind one it comes back as far as asked), and the
+// impulse that contacts do not explain pushes inwards, and only at a stop that is reached.
 std::string broken_stop_law(const FingerVector &lower_rad, const FingerVector &upper_rad, int joint,
                             const FingerState &state, const FingerVector &found_rad_s, const FingerVector &impulse_nms,
                             double tolerance_rad_s)
@@ -96,9 +97,10 @@ class fast_stepper_constraint_search : public testing::TestWithParam<Places>
 {
 };
 
-// Random problems with joints at their stops, each law checked from its own definition with impulses and velocities alone.
-// Compared: problems in which no contact may jam in the choice that was found, and whose contacts settle in it. The search ends
-// after a few attempts whatever it has found, and its last attempts let no stop go; so a few answers may break a law.
+// Random problems with joints at their stops, each law checked from its own definition with impulses and velocities
+// alone. Compared: problems in which no contact may jam in the choice that was found, and whose contacts settle in it.
+// The search ends after a few attempts whatever it has found, and its last attempts let no stop go; so a few answers
+// may break a law.
 TEST_P(fast_stepper_constraint_search, answers_obey_the_laws_of_contacts_stops_and_hinge)
 {
     constexpr unsigned seed = 71;
@@ -143,8 +145,8 @@ TEST_P(fast_stepper_constraint_search, answers_obey_the_laws_of_contacts_stops_a
 INSTANTIATE_TEST_SUITE_P(Sim, fast_stepper_constraint_search, testing::Values(Places::face, Places::scattered),
                          [](const auto &places) { return places.param == Places::face ? "face" : "scattered"; });
 
-// Unit masses; the first joint comes at 1 rad/s to 1 mrad before its stop, which lets 0.5 rad/s through in 2 ms. A contact against it
-// either lets less through, and holds it alone, or more, and stays open. By hand.
+// Unit masses; the first joint comes at 1 rad/s to 1 mrad before its stop, which lets 0.5 rad/s through in 2 ms. A
+// contact against it either lets less through, and holds it alone, or more, and stays open. By hand.
 TEST(fast_stepper_constraint_search_by_hand, the_nearer_of_stop_and_contact_holds_the_joint)
 {
     const JointStops range({-1, -1}, {0.001, 1}, error_reduction, substep_s);

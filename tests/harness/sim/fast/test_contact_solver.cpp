@@ -1,4 +1,5 @@
-// Impulses of several contacts at once. Expected: the laws of Signorini and Coulomb, and an independent method's velocities.
+// Impulses of several contacts at once. Expected: the laws of Signorini and Coulomb, and an independent
+// method's velocities.
 #include "contact_problems.hpp"
 
 #include <gtest/gtest.h>
@@ -69,8 +70,8 @@ class Bipotential
     }
 
   private:
-    // Returns the largest velocity by which an impulse still misses its projection. (That velocities rest is not enough:
-    // impulses may move along a direction that pushes nothing.)
+    // Returns the largest velocity by which an impulse still misses its projection. (That velocities rest is not
+    // enough: impulses may move along a direction that pushes nothing.)
     double swept()
     {
         double largest = 0;
@@ -116,8 +117,8 @@ class fast_stepper_contact_solver : public testing::TestWithParam<Places>
 {
 };
 
-// Signorini's and Coulomb's laws hold at every contact, within what velocities explain that may still change in a sweep. Compared:
-// all problems that settle and whose contacts alone have one answer each.
+// Signorini's and Coulomb's laws hold at every contact, within what velocities explain that may still change in a
+// sweep. Compared: all problems that settle and whose contacts alone have one answer each.
 TEST_P(fast_stepper_contact_solver, impulses_obey_signorini_and_coulomb)
 {
     constexpr unsigned seed = 31;
@@ -134,7 +135,8 @@ TEST_P(fast_stepper_contact_solver, impulses_obey_signorini_and_coulomb)
         }
         Velocities velocities = problem.free;
         ContactSolver(problem.friction).solve(regime, problem.contacts, velocities);
-        // The velocities are those that the impulses make, settled or not; to rounding, which large impulses of a wedge make more of.
+        // The velocities are those that the impulses make, settled or not; to rounding, which large impulses of a
+        // wedge make more of.
         Velocities expected = problem.free;
         add(expected, change_by(problem.contacts, regime));
         double most_ns = 0;
@@ -162,11 +164,11 @@ TEST_P(fast_stepper_contact_solver, impulses_obey_signorini_and_coulomb)
     EXPECT_TRUE(broken.empty());
 }
 
-// Expected: the velocities of the bipotential's iteration, to 1e-5 of the largest and ten times what the solver lets change in its
-// last sweep (a change that shrinks by a tenth a sweep adds up to that). The iteration starts from no impulses, from random ones and
-// from the solver's. Compared: problems that settle, whose contacts alone have one answer each, and in which the
-// iteration comes to rest. From the solver's impulses it must stay where it is in all of them; from the other starts it must
-// come there but for the few problems that have several answers.
+// Expected: the velocities of the bipotential's iteration, to 1e-5 of the largest and ten times what the solver lets
+// change in its last sweep (a change that shrinks by a tenth a sweep adds up to that). The iteration starts from no
+// impulses, from random ones and from the solver's. Compared: problems that settle, whose contacts alone have one
+// answer each, and in which the iteration comes to rest. From the solver's impulses it must stay where it is in all of
+// them; from the other starts it must come there but for the few problems that have several answers.
 TEST_P(fast_stepper_contact_solver, velocities_equal_those_of_an_independent_iteration)
 {
     constexpr unsigned seed = 32;

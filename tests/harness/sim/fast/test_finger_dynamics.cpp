@@ -1,4 +1,5 @@
-// The reduced equations of motion of a finger. Expected: Bullet's articulated-body algorithm, and conservation of energy.
+// The reduced equations of motion of a finger. Expected: Bullet's articulated-body algorithm, and
+// conservation of energy.
 #include "finger_fixtures.hpp"
 
 #include <LinearMath/btAlignedObjectArray.h>
@@ -139,8 +140,8 @@ TEST_P(fast_stepper_dynamics, accelerations_without_torques_equal_bullets)
     EXPECT_LE(largest_error, 1e-9);
 }
 
-// |y|^2 = v^T M v with Bullet's M; the changes to whitened velocities and impulses and those back are inverses; an impulse
-// changes velocities by M^-1 times it.
+// |y|^2 = v^T M v with Bullet's M; the changes to whitened velocities and impulses and those back are inverses; an
+// impulse changes velocities by M^-1 times it.
 TEST_P(fast_stepper_dynamics, mass_factor_whitens_bullets_mass_matrix)
 {
     constexpr unsigned seed = 13;

@@ -46,9 +46,9 @@ double distance_m(const btVector3 &p_m, const std::array<btVector3, 2> &line_m)
     return (p_m - line_m[0].lerp(line_m[1], std::clamp(share, 0.0, 1.0))).length();
 }
 
-// Expected: the capsules of Bullet's hand, less the object's centre; at 1,000 random postures. Both ends of each link lie on one of
-// the finger's capsules of the same radius, and a capsule may be of several links in line; all of them together are as long
-// as the links, so that there is none too many.
+// Expected: the capsules of Bullet's hand, less the object's centre; at 1,000 random postures. Both ends of each link
+// lie on one of the finger's capsules of the same radius, and a capsule may be of several links in line; all of them
+// together are as long as the links, so that there is none too many.
 TEST_P(fast_stepper_kinematics, capsules_stand_where_bullets_links_are)
 {
     constexpr unsigned seed = 21;
@@ -84,8 +84,8 @@ TEST_P(fast_stepper_kinematics, capsules_stand_where_bullets_links_are)
     EXPECT_LE(largest_m, 1e-12);
 }
 
-// A joint's sphere has every capsule that the joint carries inside, surfaces included. Expected: the distance of a capsule's
-// farthest point is that of its farther end's centre and its radius.
+// A joint's sphere has every capsule that the joint carries inside, surfaces included. Expected: the distance of a
+// capsule's farthest point is that of its farther end's centre and its radius.
 TEST_P(fast_stepper_kinematics, bounding_spheres_contain_all_capsules)
 {
     constexpr double rounding_m = 1e-15;
@@ -125,8 +125,8 @@ TEST_P(fast_stepper_kinematics, centres_are_as_far_from_the_hinge_as_their_frame
     EXPECT_LE(largest_m2, 1e-13);
 }
 
-// The velocity of a point of the finger is the sum of the joints' cross products with its arm. Expected: Bullet's links at
-// angles a little before and after.
+// The velocity of a point of the finger is the sum of the joints' cross products with its arm. Expected: Bullet's links
+// at angles a little before and after.
 TEST_P(fast_stepper_kinematics, axes_and_arms_give_the_velocities_of_points)
 {
     constexpr unsigned seed = 22;

@@ -82,8 +82,8 @@ TEST_P(fast_stepper_hinge_friction, brings_a_turning_wheel_to_a_stop_that_stays)
 INSTANTIATE_TEST_SUITE_P(Sim, fast_stepper_hinge_friction, testing::Values(1, -1),
                          [](const auto &direction) { return direction.param > 0 ? "forward" : "backward"; });
 
-// Expected: the textbook's law, v = clamp of the frictionless velocity towards 0 by coulomb h / inertia; so the friction never adds
-// energy. Under random torques, from random velocities and whatever regime was last.
+// Expected: the textbook's law, v = clamp of the frictionless velocity towards 0 by coulomb h / inertia; so the
+// friction never adds energy. Under random torques, from random velocities and whatever regime was last.
 TEST(fast_stepper_hinge_energy, never_adds_energy)
 {
     constexpr unsigned seed = 51;

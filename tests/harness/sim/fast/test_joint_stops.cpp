@@ -56,8 +56,8 @@ double target_rad(Stop stop, int joint, double angle_rad)
     return past ? error_reduction * distance_rad : distance_rad;
 }
 
-// By hand: from 0.01 rad before the stop a substep of 2 ms allows 5 rad/s; from 0.01 rad behind it, it asks for a tenth of
-// that back.
+// By hand: from 0.01 rad before the stop a substep of 2 ms allows 5 rad/s; from 0.01 rad behind it, it asks for a
+// tenth of that back.
 TEST(fast_stepper_joint_stops, are_passed_where_the_substep_ends_behind_them)
 {
     const HeldJoints none{};
@@ -69,9 +69,9 @@ TEST(fast_stepper_joint_stops, are_passed_where_the_substep_ends_behind_them)
     EXPECT_EQ(stops().passed({0.31, -0.01}, {-0.51, 0.51}), none);
 }
 
-// The freedom is a symmetric projector: P P = P. It leaves as many directions as joints are free (its trace), lets through no
-// impulse's share that would move a held joint (the joint's velocity under P y is 0 for any y), and takes nothing from a
-// motion in which the held joints rest. Symmetry is part of its type.
+// The freedom is a symmetric projector: P P = P. It leaves as many directions as joints are free (its trace), lets
+// through no impulse's share that would move a held joint (the joint's velocity under P y is 0 for any y), and takes
+// nothing from a motion in which the held joints rest. Symmetry is part of its type.
 TEST(fast_stepper_joint_stops, freedom_is_the_projector_on_the_motions_that_the_held_joints_leave)
 {
     constexpr unsigned seed = 41;
@@ -102,8 +102,8 @@ TEST(fast_stepper_joint_stops, freedom_is_the_projector_on_the_motions_that_the_
     }
 }
 
-// Held joints start with the velocity that brings them to the stop; what the stops do to the others is what impulses on the held joints
-// alone do (M times the change of velocity has no entry at a free joint: Newton's law).
+// Held joints start with the velocity that brings them to the stop; what the stops do to the others is what impulses on
+// the held joints alone do (M times the change of velocity has no entry at a free joint: Newton's law).
 TEST(fast_stepper_joint_stops, held_joints_reach_their_stops_by_impulses_of_their_own)
 {
     constexpr unsigned seed = 42;

@@ -84,8 +84,8 @@ TEST(fast_stepper_contact_sets, a_segment_flat_across_a_face_has_the_faces_edges
     expect_contact(contacts, contact_second_clip, 22.5 / 26, z_axis, gap_m);
 }
 
-// The segment stands 4.5 mm out in x and y from the core's upright edge, which goes up to 9.5 mm; upright, or leaning so
-// little that the distances stay.
+// The segment stands 4.5 mm out in x and y from the core's upright edge, which goes up to 9.5 mm; upright, or leaning
+// so little that the distances stay.
 TEST(fast_stepper_contact_sets, a_segment_along_an_edge_has_the_edges_end)
 {
     const btVector3 start_m(0.014, 0.014, -0.008), end_m(0.014, 0.014, 0.012);
@@ -146,7 +146,8 @@ TEST(fast_stepper_contact_sets, keep_their_names_while_a_segment_rocks)
     }
 }
 
-// Across a face, low end first: the closest point is beyond the face's edge by more than 0.1 mm, so that there are five.
+// Across a face, low end first: the closest point is beyond the face's edge by more than 0.1 mm, so
+// that there are five.
 TEST(fast_stepper_contact_sets, leave_out_the_farthest_of_five)
 {
     const double z_m = 0.010 + gap_m;

@@ -1,10 +1,10 @@
-// The fast stepper's distances between a capsule and the object, against libccd's Gilbert-Johnson-Keerthi test (GJK) and
-// against a search along the segment.
+// The fast stepper's distances between a capsule and the object, against libccd's Gilbert-Johnson-Keerthi test (GJK)
+// and against a search along the segment.
 #include "sim/fast/segment_contacts.hpp"
 
+#include "setups.hpp"
 #include "sim/object.hpp"
 #include "sim/object_body.hpp"
-#include "setups.hpp"
 
 #include <ccd/ccd.h>
 #include <ccd/vec3.h>
@@ -205,8 +205,8 @@ class fast_stepper_distances : public testing::TestWithParam<const char *>
     const RoundedCore core_ = rounded_core(body_);
 };
 
-// Expected: GJK's verdict. A capsule as thick as the distance and 1 um touches the object, one 1 um thinner does not; and
-// the real capsule, moved along the normal by its depth, does or does not as it lacks 1 um or has 1 um more.
+// Expected: GJK's verdict. A capsule as thick as the distance and 1 um touches the object, one 1 um thinner does not;
+// and the real capsule, moved along the normal by its depth, does or does not as it lacks 1 um or has 1 um more.
 TEST_P(fast_stepper_distances, are_those_of_gjk_within_a_micrometre)
 {
     constexpr double tolerance_m = 1e-6;
@@ -260,8 +260,8 @@ TEST_P(fast_stepper_distances, have_normals_that_lead_back_to_the_surface)
         });
 }
 
-// Expected: all that is nearer than the reach and nothing else; the closest point first; no two points within 0.1 mm; the
-// ends of the segment among them unless there are four nearer ones.
+// Expected: all that is nearer than the reach and nothing else; the closest point first; no two points within 0.1 mm;
+// the ends of the segment among them unless there are four nearer ones.
 TEST_P(fast_stepper_distances, reach_as_far_as_asked)
 {
     std::mt19937_64 random(4);
@@ -321,7 +321,8 @@ TEST_P(fast_stepper_distances, are_numbers_inside_the_object)
     }
 }
 
-// Expected: the distance to the ball's centre. The test may say yes to a ball that misses, never no to one that touches.
+// Expected: the distance to the ball's centre. The test may say yes to a ball that misses, never no to
+// one that touches.
 TEST_P(fast_stepper_distances, come_after_a_test_that_no_touching_ball_fails)
 {
     std::mt19937_64 random(7);
