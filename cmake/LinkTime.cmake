@@ -1,5 +1,6 @@
-# Link-time optimisation of the programs that simulate: about 7 % faster, the same results. Their libraries hold machine
-# code too, so that all other programs link without it, in a fiftieth of the time.
+# Link-time optimisation of the programs that simulate: 6 % fewer instructions on the small sphere, 2 % on the medium
+# cylinder (callgrind, 300 trials), the same results. Their libraries hold machine code too, so that all other programs
+# link without it, in a fiftieth of the time.
 set(TWIDDLE_LINK_TIME $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-flto=auto>)
 
 # GCC optimises at link time whenever an object offers it, unless told not to.

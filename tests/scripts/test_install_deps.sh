@@ -183,20 +183,20 @@ each_group_has_its_own_packages()
     asks_for library "build-essential cmake ninja-build"
     asks_for test "$tests"
     asks_for firmware "cmake ninja-build $boards python3-venv"
-    asks_for bench "libbenchmark-dev python3-venv"
+    asks_for bench "libbenchmark-dev valgrind python3-venv"
     asks_for lint "clang-format clang-tidy"
 }
 
 what_two_groups_share_is_asked_for_once()
 {
-    asks_for "test bench" "$tests libbenchmark-dev"
-    asks_for "bench test" "$tests libbenchmark-dev"
+    asks_for "test bench" "$tests libbenchmark-dev valgrind"
+    asks_for "bench test" "$tests libbenchmark-dev valgrind"
     asks_for "run firmware" "$program $boards python3-venv"
 }
 
 no_group_is_all_of_them()
 {
-    asks_for "" "$program $tests $boards libbenchmark-dev clang-format clang-tidy"
+    asks_for "" "$program $tests $boards libbenchmark-dev valgrind clang-format clang-tidy"
 }
 
 another_groups_missing_package_is_nobodys_business()
