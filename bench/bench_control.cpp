@@ -1,13 +1,21 @@
-// Speed of the full loop, of a whole training run, and of the controller's and the learner's parts, on one core, for
-// the default number type, set-up and substeps. Items are control steps, or calls of the part that is named.
+// Speed of the full loop, of a whole training run, and of the controller's and the learner's parts, on one core, with
+// numbers in float, for the set-up mid-a. Items are control steps, or calls of the part that is named.
 #include "work.hpp"
 
+#include "engine/controller_setup.hpp"
 #include "experiment/training.hpp"
+
+#include <twiddle/controller.h>
+#include <twiddle/convert.h>
+#include <twiddle/learner.h>
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <iterator>
+#include <vector>
 
 namespace
 {
@@ -20,8 +28,8 @@ constexpr std::uint32_t seed = 1;
 // Trials of CPG-C with random parameters: controller, torques at every substep, and the world.
 void full_loop(benchmark::State &state, sim::Stepper stepper, const char *object)
 {
-    TrialRunner runner = bench::make_runner(stepper, object);
-    const auto sets = bench::random_parameters(twd_model_c, 64, seed);
+    TrialRunner runner = bench::make_runner(stepper, object, bench::load_setup(bench::mid_a_file));
+    const auto sets = bench::random_parameters("cpg-c", 64, seed);
     std::size_t next = 0;
     while (state.KeepRunning())
         benchmark::DoNotOptimize(runner.run(sets[next++ % sets.size()]).rotation_rad);
@@ -40,14 +48,25 @@ void training_run(benchmark::State &state, sim::Stepper stepper, const char *obj
     state.SetItemsProcessed(state.iterations() * trials * trial_steps);
 }
 
+engine::AgentSetup agent_setup_of_h()
+{
+    return {{bench::load_setup(bench::mid_a_file), "cpg-h", true}, 5000, seed};
+}
+
+std::vector<twd_num> library_numbers(const std::vector<double> &values)
+{
+    std::vector<twd_num> numbers;
+    std::transform(values.begin(), values.end(), std::back_inserter(numbers), twd_num_from_double);
+    return numbers;
+}
+
 // A controller of CPG-H, whose three CPGs all run.
 twd_controller controller_of_h()
 {
-    const twd_controller_config config =
-        controller_config(settings::load_setup(bench::models_dir, "mid-a"), twd_model_h, true);
+    const twd_controller_config config = engine::TWD_BUILD_NAMESPACE::controller_config(agent_setup_of_h().controller);
     twd_controller controller{};
     if (twd_controller_init(&controller, &config) != TWD_OK) std::abort();
-    const Parameters parameters = bench::random_parameters(twd_model_h, 1, seed).front();
+    const std::vector<twd_num> parameters = library_numbers(bench::random_parameters("cpg-h", 1, seed).front());
     if (twd_controller_start(&controller, parameters.data(), parameters.size()) != TWD_OK) std::abort();
     return controller;
 }
@@ -84,15 +103,17 @@ BENCHMARK(controller_torque);
 // One trial of the learner of CPG-H: exploring, and learning from a reward.
 void learner_act_and_learn(benchmark::State &state)
 {
-    const settings::LearnerSetup learner = settings::load_setup(bench::models_dir, "mid-a").learner;
-    const twd_learner_config config = learner_config(learner, twd_model_h, true, 5000, seed);
-    twd_learner agent{};
-    if (twd_learner_init(&agent, &config) != TWD_OK) std::abort();
-    const LearnerInput input = learner_input(sim::read_object(bench::models_dir, "small-sphere"), learner);
-    Parameters parameters(config.units);
+    const engine::AgentSetup setup = agent_setup_of_h();
+    const twd_learner_config config = engine::TWD_BUILD_NAMESPACE::learner_config(setup);
+    twd_learner learner{};
+    if (twd_learner_init(&learner, &config) != TWD_OK) std::abort();
+    const sim::ObjectSpec object = sim::read_object(bench::models_dir, "small-sphere");
+    const std::vector<twd_num> input =
+        library_numbers(engine::TWD_BUILD_NAMESPACE::learner_input(object, setup.controller.setup.learner));
+    std::vector<twd_num> parameters(config.units);
     while (state.KeepRunning()) {
-        twd_learner_act(&agent, input.data(), parameters.data());
-        benchmark::DoNotOptimize(twd_learner_learn(&agent, twd_wide_of_num(parameters.front())));
+        twd_learner_act(&learner, input.data(), parameters.data());
+        benchmark::DoNotOptimize(twd_learner_learn(&learner, twd_wide_of_num(parameters.front())));
     }
     state.SetItemsProcessed(state.iterations());
 }

@@ -28,7 +28,7 @@ namespace
 
 using namespace twiddle;
 using namespace twiddle::bench;
-using experiment::Parameters;
+using engine::Parameters;
 using experiment::TrialRunner;
 
 constexpr int default_substeps = 5; // mid-a's
@@ -71,6 +71,11 @@ std::vector<settings::Override> with_substeps(int substeps)
     return {{"physics.substeps", std::to_string(substeps)}};
 }
 
+TrialRunner make_runner_of(const Place &place)
+{
+    return make_runner(place.stepper, place.object, load_setup(mid_a_file, with_substeps(place.substeps)));
+}
+
 // Whole passes through `sets` for at least `seconds`.
 double trials_steps_per_s(TrialRunner &runner, const std::vector<Parameters> &sets, double seconds)
 {
@@ -83,7 +88,7 @@ double trials_steps_per_s(TrialRunner &runner, const std::vector<Parameters> &se
         trials += sets.size();
         spent_s = std::chrono::steady_clock::now() - start;
     }
-    return static_cast<double>(trials) * experiment::trial_steps / spent_s.count();
+    return static_cast<double>(trials) * trial_steps / spent_s.count();
 }
 
 // Every runner on a thread of its own; the sum of what each reaches.
@@ -106,7 +111,7 @@ class Plan
 {
   public:
     explicit Plan(const Options &options)
-        : options_(options), sets_(random_parameters(twd_model_c, options.sets, options.seed))
+        : options_(options), sets_(random_parameters("cpg-c", options.sets, options.seed))
     {
         for (const char *object : objects)
             for (const int substeps : {2, 3, 5, 10, 20, 50, 100})
@@ -124,8 +129,8 @@ class Plan
                 add_workers(object, workers);
     }
 
-    // The repeats go through all timings in turn, so that what disturbs the machine for a while does not
-    // fall on one of them.
+    // The repeats go through all timings in turn, so that what disturbs the machine for a while does not fall on one of
+    // them.
     std::vector<Timing> run()
     {
         for (int repeat = 1; repeat <= options_.repeats; ++repeat) {
@@ -150,8 +155,7 @@ class Plan
 
     void add_trials(const Place &place)
     {
-        const auto runner =
-            std::make_shared<TrialRunner>(make_runner(place.stepper, place.object, with_substeps(place.substeps)));
+        const auto runner = std::make_shared<TrialRunner>(make_runner_of(place));
         timings_.push_back(
             {place, [this, runner] { return trials_steps_per_s(*runner, sets_, options_.seconds); }, {}});
     }
@@ -172,7 +176,7 @@ class Plan
         place.workers = workers;
         const auto runners = std::make_shared<std::vector<TrialRunner>>();
         for (unsigned w = 0; w < workers; ++w)
-            runners->push_back(make_runner(place.stepper, object, with_substeps(place.substeps)));
+            runners->push_back(make_runner_of(place));
         timings_.push_back(
             {place, [this, runners] { return workers_steps_per_s(*runners, sets_, options_.seconds); }, {}});
     }

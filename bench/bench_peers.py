@@ -27,6 +27,7 @@ OBJECTS = ("small-sphere", "medium-cylinder", "large-cube")
 STEPS = 300  # control steps of a trial
 STATES = 100  # of the hand, for the check of its mechanics
 CONVERGED_SUBSTEPS = 50  # of the reference, in which its rotations no longer change
+MID_A = Path(__file__).resolve().parent.parent / "tests/harness/data/setups/mid-a.toml"
 
 
 class Ours:
@@ -167,10 +168,11 @@ def failures_text(failed):
 def header(arguments, settings):
     substeps = settings["physics"]["substeps"]
     options = ", ".join(f"{name} {value}" for name, value in asdict(Options()).items())
+    setup = Path(arguments.setup).name.removesuffix(".toml")
     return [
-        f"set-up {arguments.setup}, {arguments.sets} random CPG-C parameter vectors (seed {arguments.seed}), "
-        f"{STEPS} control steps each, {substeps} substeps; one core, "
-        f"medians of {arguments.repeats} alternating repeats",
+        f"set-up {setup}, {arguments.sets} random CPG-C parameter vectors (seed {arguments.seed}), "
+        f"{STEPS} control steps each, {substeps} substeps; one core, medians of {arguments.repeats} alternating "
+        "repeats",
         f"ours: stepper {arguments.stepper}; r is the correlation of the trials' rotations with the reference stepper "
         f"at {CONVERGED_SUBSTEPS} substeps",
         f"MuJoCo {mujoco.__version__}: {options}; stepped by mujoco.batch on one thread",
@@ -221,7 +223,7 @@ def parse_arguments():
     parser.add_argument("--program", required=True, help="bench_rollouts")
     parser.add_argument("--models", required=True, help="the folder models/")
     parser.add_argument("--out", required=True, help="the CSV to write")
-    parser.add_argument("--setup", default="mid-a")
+    parser.add_argument("--setup", default=str(MID_A), help="a name or a .toml file; mid-a if not given")
     parser.add_argument("--stepper", default="fast", help="ours, against MuJoCo")
     parser.add_argument("--sets", type=int, default=200, help="parameter vectors")
     parser.add_argument("--seed", type=int, default=1)

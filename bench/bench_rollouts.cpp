@@ -7,15 +7,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,11 +21,9 @@ namespace
 using namespace twiddle;
 using namespace twiddle::experiment;
 
-const std::filesystem::path models_dir = TWIDDLE_MODELS;
-
 struct Options {
     std::string object;
-    std::string setup = "mid-a";
+    std::string setup = bench::mid_a_file;
     std::string stepper = "fast";
     int substeps = 0; // 0: the set-up's
     int sets = 200;
@@ -40,43 +34,43 @@ settings::Setup load_setup(const Options &options)
 {
     std::vector<settings::Override> overrides;
     if (options.substeps > 0) overrides.emplace_back("physics.substeps", std::to_string(options.substeps));
-    return settings::load_setup(models_dir, options.setup, overrides);
-}
-
-sim::HandModel load_hand()
-{
-    return sim::read_hand_model(models_dir / "icub_right_hand.urdf");
+    return bench::load_setup(options.setup, overrides);
 }
 
 TrialRunner make_runner(const Options &options)
 {
-    return TrialRunner(sim::stepper_of_name(options.stepper), load_hand(), sim::read_object(models_dir, options.object),
-                       load_setup(options), sim::HandHold::welded, twd_model_c, true);
+    return bench::make_runner(sim::stepper_of_name(options.stepper), options.object, load_setup(options));
 }
 
-// The merged settings as JSON, as run.json holds them.
+void print_values(const char *separator, std::initializer_list<double> values)
+{
+    for (const double value : values) {
+        std::printf("%s%.17g", separator, value);
+        separator = ",";
+    }
+}
+
+void print_joints(const char *separator, const JointVector &v)
+{
+    print_values(separator, {v[0], v[1], v[2], v[3]});
+}
+
+// The merged settings as one line of JSON, as run.json holds them.
 void print_settings(const Options &options)
 {
-    std::cout << load_setup(options).settings.dump(2) << '\n';
+    std::cout << load_setup(options).settings << '\n';
 }
 
 // The desired angles, a line a control step, `trial_steps` lines a parameter vector.
 void print_desired(const Options &options)
 {
-    const twd_controller_config config = controller_config(load_setup(options), twd_model_c, true);
-    twd_controller controller{};
-    if (twd_controller_init(&controller, &config) != TWD_OK)
-        throw std::runtime_error("the controller refuses the set-up");
+    const auto controller = engine::engine_of_number("float").make_controller({load_setup(options), "cpg-c", true});
     std::puts("fei_rad,aai_rad,fet_rad,ot_rad");
-    for (const Parameters &set : bench::random_parameters(twd_model_c, options.sets, options.seed)) {
-        if (twd_controller_start(&controller, set.data(), set.size()) != TWD_OK)
-            throw std::runtime_error("the controller refuses random parameters");
+    for (const engine::Parameters &set : bench::random_parameters("cpg-c", options.sets, options.seed)) {
+        controller->start(set);
         for (int step = 0; step < trial_steps; ++step) {
-            std::array<twd_num, TWD_MAX_JOINTS> desired_rad{};
-            twd_controller_tick(&controller, desired_rad.data());
-            std::printf("%.17g,%.17g,%.17g,%.17g\n", twd_num_to_double(desired_rad[fei]),
-                        twd_num_to_double(desired_rad[aai]), twd_num_to_double(desired_rad[fet]),
-                        twd_num_to_double(desired_rad[ot]));
+            print_joints("", controller->torque({}, true).desired_rad);
+            std::puts("");
         }
     }
 }
@@ -86,7 +80,7 @@ void print_rotations(const Options &options)
 {
     TrialRunner runner = make_runner(options);
     std::puts("rotation_rad");
-    for (const Parameters &set : bench::random_parameters(twd_model_c, options.sets, options.seed)) {
+    for (const engine::Parameters &set : bench::random_parameters("cpg-c", options.sets, options.seed)) {
         const TrialResult result = runner.run(set);
         std::printf("%.17g\n", result.rotation_rad);
         if (!result.fault.empty()) std::fprintf(stderr, "%s\n", result.fault.c_str());
@@ -97,10 +91,10 @@ void print_rotations(const Options &options)
 void print_speed(const Options &options)
 {
     TrialRunner runner = make_runner(options);
-    const auto sets = bench::random_parameters(twd_model_c, options.sets, options.seed);
+    const auto sets = bench::random_parameters("cpg-c", options.sets, options.seed);
     runner.run(sets.front()); // warm caches and clocks
     const auto start = std::chrono::steady_clock::now();
-    for (const Parameters &set : sets)
+    for (const engine::Parameters &set : sets)
         runner.run(set);
     const std::chrono::duration<double> spent_s = std::chrono::steady_clock::now() - start;
     std::printf("control_steps_per_s\n%.6g\n", double(sets.size()) * trial_steps / spent_s.count());
@@ -172,24 +166,11 @@ class Mechanics
     btAlignedObjectArray<btMatrix3x3> matrices_;
 };
 
-void print_values(const char *separator, std::initializer_list<double> values)
-{
-    for (const double value : values) {
-        std::printf("%s%.17g", separator, value);
-        separator = ",";
-    }
-}
-
-void print_joints(const char *separator, const JointVector &v)
-{
-    print_values(separator, {v[0], v[1], v[2], v[3]});
-}
-
 // One random state of the hand a line: angles (4), velocities (4), the fingertips of index and thumb in the palm frame
-// (3 + 3), free accelerations (4), and the inverse mass matrix (16), joints in the order of sim/joints.hpp.
+// (3 + 3), free accelerations (4), and the inverse mass matrix (16), joints in the order of settings/joints.hpp.
 void print_mechanics(const Options &options)
 {
-    const sim::HandModel model = load_hand();
+    const sim::HandModel model = bench::read_hand();
     Mechanics mechanics(model, load_setup(options));
     std::mt19937 random(options.seed);
     std::uniform_real_distribution<double> share(0, 1), velocity_rad_s(-10, 10);
@@ -217,7 +198,7 @@ void print_mechanics(const Options &options)
 void add_options(CLI::App &app, Options &options)
 {
     app.add_option("--object", options.object, "name in models/objects");
-    app.add_option("--setup", options.setup, "name in experiments/setups")->capture_default_str();
+    app.add_option("--setup", options.setup, "name in experiments/setups, or a .toml file")->capture_default_str();
     app.add_option("--stepper", options.stepper, "who steps the world")
         ->check(CLI::IsMember(sim::stepper_names()))
         ->capture_default_str();

@@ -72,12 +72,12 @@ double further_worker_mb(sim::Stepper stepper, const std::string &object)
 {
     constexpr int further = 16;
     return in_child([&] {
-        const auto set = random_parameters(twd_model_c, 1, 1).front();
+        const auto set = random_parameters("cpg-c", 1, 1).front();
         std::vector<experiment::TrialRunner> runners;
         runners.reserve(1 + further);
         double before_mb = 0;
         for (int worker = 0; worker <= further; ++worker) {
-            runners.push_back(make_runner(stepper, object));
+            runners.push_back(make_runner(stepper, object, load_setup(mid_a_file)));
             runners.back().run(set);
             if (worker == 0) before_mb = resident_mb();
         }

@@ -1,5 +1,7 @@
 #include "press.hpp"
 
+#include "engine/models.hpp"
+
 #include <chrono>
 #include <random>
 #include <stdexcept>
@@ -10,16 +12,16 @@ namespace twiddle::bench
 namespace
 {
 
-constexpr int settled_steps = experiment::trial_steps / 2;
+constexpr int settled_steps = trial_steps / 2;
 
 // A random posture: oscillators that stand still at a random share of their joints' ranges.
-experiment::Parameters random_posture(std::mt19937 &random)
+engine::Parameters random_posture(std::mt19937 &random)
 {
     std::uniform_real_distribution<double> uniform(0, 1);
     // Order: nu, R1..4, C1..4 (FEI, AAI, FET, OT), three lags.
-    experiment::Parameters values(twd_model_parameters(&twd_model_c, true), TWD_NUM(0));
+    engine::Parameters values(engine::parameter_count("cpg-c", true), 0);
     for (std::size_t centre = 5; centre < 9; ++centre)
-        values.at(centre) = twd_num_from_double(uniform(random));
+        values.at(centre) = uniform(random);
     return values;
 }
 
@@ -33,12 +35,12 @@ std::vector<settings::Override> out_of_reach(int fingers, std::vector<settings::
 
 Press::Press(const std::string &object, int fingers, const std::vector<settings::Override> &overrides,
              std::uint32_t seed)
-    : runner_(make_runner(sim::Stepper::fast, object, out_of_reach(fingers, overrides)))
+    : runner_(make_runner(sim::Stepper::fast, object, load_setup(mid_a_file, out_of_reach(fingers, overrides))))
 {
     constexpr std::size_t wanted = 20, most = 2000;
     std::mt19937 random(seed);
     while (counted_.size() < wanted && tried_ < most) {
-        const experiment::Parameters posture = random_posture(random);
+        const engine::Parameters posture = random_posture(random);
         ++tried_;
         if (counts(posture, fingers)) counted_.push_back(posture);
     }
@@ -46,7 +48,7 @@ Press::Press(const std::string &object, int fingers, const std::vector<settings:
         throw std::runtime_error("no posture holds " + std::to_string(fingers) + " fingers against " + object);
 }
 
-bool Press::counts(const experiment::Parameters &posture, int fingers)
+bool Press::counts(const engine::Parameters &posture, int fingers)
 {
     bool always = true;
     runner_.run_observed(posture, [&](const experiment::StepSample &sample, const sim::World &world) {
@@ -64,13 +66,13 @@ double Press::steps_per_s(double seconds)
     std::chrono::duration<double> spent_s{};
     int steps = 0;
     while (spent_s.count() < seconds) {
-        for (const experiment::Parameters &posture : counted_) {
+        for (const engine::Parameters &posture : counted_) {
             Clock::time_point start;
             runner_.run_observed(posture, [&](const experiment::StepSample &sample, const sim::World &) {
                 if (sample.step == settled_steps) start = Clock::now();
-                if (sample.step == experiment::trial_steps) spent_s += Clock::now() - start;
+                if (sample.step == trial_steps) spent_s += Clock::now() - start;
             });
-            steps += experiment::trial_steps - settled_steps;
+            steps += trial_steps - settled_steps;
         }
     }
     return steps / spent_s.count();

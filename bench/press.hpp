@@ -32,11 +32,11 @@ class Press
     }
 
   private:
-    bool counts(const experiment::Parameters &posture, int fingers);
+    bool counts(const engine::Parameters &posture, int fingers);
 
     experiment::TrialRunner runner_;
     std::size_t tried_ = 0;
-    std::vector<experiment::Parameters> counted_;
+    std::vector<engine::Parameters> counted_;
 };
 
 } // namespace twiddle::bench

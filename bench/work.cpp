@@ -6,43 +6,45 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 namespace twiddle::bench
 {
 
-namespace
-{
-
-constexpr const char *setup_name = "mid-a";
-
-} // namespace
-
 const std::filesystem::path models_dir = TWIDDLE_MODELS;
+const std::string mid_a_file = TWIDDLE_MID_A;
 
-std::vector<experiment::Parameters> random_parameters(const twd_model &model, std::size_t sets, std::uint32_t seed)
+settings::Setup load_setup(const std::string &name, const std::vector<settings::Override> &overrides)
+{
+    return settings::load_setup(TWIDDLE_SETUPS, name, overrides);
+}
+
+std::vector<engine::Parameters> random_parameters(const std::string &model, std::size_t sets, std::uint32_t seed)
 {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(0.001, 0.999);
-    std::vector<experiment::Parameters> drawn(sets, experiment::Parameters(twd_model_parameters(&model, true)));
-    for (experiment::Parameters &set : drawn)
-        std::generate(set.begin(), set.end(), [&] { return twd_num_from_double(uniform(random)); });
+    std::vector<engine::Parameters> drawn(sets, engine::Parameters(engine::parameter_count(model, true)));
+    for (engine::Parameters &set : drawn) {
+        std::generate(set.begin(), set.end(), [&] { return uniform(random); });
+    }
     return drawn;
 }
 
-experiment::TrialRunner make_runner(sim::Stepper stepper, const std::string &object,
-                                    const std::vector<settings::Override> &overrides)
+sim::HandModel read_hand()
 {
-    return {stepper,
-            sim::read_hand_model(models_dir / "icub_right_hand.urdf"),
-            sim::read_object(models_dir, object),
-            settings::load_setup(models_dir, setup_name, overrides),
-            sim::HandHold::welded,
-            twd_model_c,
-            true};
+    return sim::read_hand_model(models_dir / "icub_right_hand.urdf");
+}
+
+experiment::TrialRunner make_runner(sim::Stepper stepper, const std::string &object, const settings::Setup &setup)
+{
+    experiment::TrialWorld world(stepper, read_hand(), sim::read_object(models_dir, object), setup,
+                                 sim::HandHold::welded);
+    return {std::move(world), engine::engine_of_number("float"), "cpg-c", true};
 }
 
 record::RunSpecification training_run(sim::Stepper stepper, const std::string &object, std::uint32_t trials)
 {
+    const settings::Setup setup = load_setup(mid_a_file);
     record::RunSpecification specification;
     specification.object = object;
     specification.model = "cpg-h";
@@ -50,8 +52,9 @@ record::RunSpecification training_run(sim::Stepper stepper, const std::string &o
     specification.trials = trials;
     specification.hand = "welded";
     specification.stepper = name_of(stepper);
-    specification.setup = setup_name;
-    specification.settings = settings::load_setup(models_dir, setup_name).settings;
+    specification.number = "float";
+    specification.setup = setup.name;
+    specification.settings = setup.settings;
     return specification;
 }
 
