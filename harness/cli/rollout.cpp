@@ -44,14 +44,13 @@ engine::Parameters parse_parameters(const std::string &line, std::size_t line_nu
 
 } // namespace
 
-int run_command(const RolloutOptions &asked, const Arguments & /*arguments*/)
+int run_command(const RolloutOptions &options, const Arguments & /*arguments*/)
 {
-    const RunOptions &options = asked.run;
-    require_supported(options);
-    if (options.target != "host") throw runs::UsageError("rollout computes on the host; use --target host");
+    require_supported(options.run);
+    if (options.run.target != "host") throw runs::UsageError("rollout computes on the host; use --target host");
 
-    const std::filesystem::path models = models_dir(options.models_dir);
-    const record::RunSpecification specification = run_specification(options, models, 0, 0);
+    const std::filesystem::path models = models_dir(options.run.models_dir);
+    const record::RunSpecification specification = run_specification(options.run, models, 0, 0);
     const std::size_t count = engine::parameter_count(specification.model, specification.centre);
     experiment::TrialRunner runner = experiment::make_trial_runner(specification, models);
 

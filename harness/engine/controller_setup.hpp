@@ -12,10 +12,10 @@ namespace twiddle::engine::TWD_BUILD_NAMESPACE
 
 // The controller of the iCub hand's index and thumb, in the joint order of settings/joints.hpp. Throws
 // std::runtime_error if the C library refuses a setting.
-twd_controller_config controller_config(const ControllerSetup &setup);
+twd_controller_config controller_config(const ControllerSetup &controller);
 
 // The learner of a run.
-twd_learner_config learner_config(const AgentSetup &setup);
+twd_learner_config learner_config(const AgentSetup &agent);
 
 // What the learner sees of the object.
 LearnerInput learner_input(const sim::ObjectSpec &object, const settings::LearnerSetup &setup);

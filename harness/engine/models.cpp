@@ -41,15 +41,15 @@ std::vector<std::string> model_names()
     return names;
 }
 
-std::vector<std::string> parameter_names(const std::string &name, bool with_centre)
+std::vector<std::string> parameter_names(const std::string &model, bool with_centre)
 {
-    const twd_model &model = find_model(name);
+    const twd_model &known = find_model(model);
     std::vector<std::string> names;
-    for (int k = 0; k < model.cpgs; ++k) {
-        append_names(names, *model.topology[k], with_centre);
+    for (int k = 0; k < known.cpgs; ++k) {
+        append_names(names, *known.topology[k], with_centre);
     }
-    for (int k = 0; model.cpgs > 1 && k < model.cpgs; ++k) {
-        names.push_back(std::string("selector.") + model.topology[k]->name);
+    for (int k = 0; known.cpgs > 1 && k < known.cpgs; ++k) {
+        names.push_back(std::string("selector.") + known.topology[k]->name);
     }
     return names;
 }
