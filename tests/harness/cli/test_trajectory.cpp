@@ -131,14 +131,13 @@ double off_mm(const std::map<std::string, double> &row, const std::string &finge
                              row.at(finger + "_z_m") - tip_m[2]);
 }
 
-// Expected: the file's fingertips within 0.05 mm, from its angles, with distal joints that are held bent and with
-// straight ones.
+// Expected: the file's fingertips within 0.05 mm, from its angles, wherever the distal joints are held.
 TEST(Trajectory, fingertips_follow_from_urdf_and_angles)
 {
     const Urdf urdf;
     const ScratchFolder folder;
-    for (const std::string set : {"", "--set hand.index_distal_deg=20 --set hand.thumb_distal_deg=15"}) {
-        const std::string run = (folder.path() / (set.empty() ? "straight" : "bent")).string();
+    for (const std::string set : {"", "--set hand.index_distal_deg=20 --set hand.thumb_distal_deg=0"}) {
+        const std::string run = (folder.path() / (set.empty() ? "default" : "bent")).string();
         ASSERT_EQ(run_twiddle("train --object small-cube --model cpg-h --trials 3 --set object.hinge_x_m=0.2 " + set +
                               " --out " + run)
                       .status,
@@ -147,7 +146,9 @@ TEST(Trajectory, fingertips_follow_from_urdf_and_angles)
         const TrajectoryFile file = read_trajectory(run + "/trajectory.csv");
         const auto degrees = [&](const char *fact) { return std::stod(file.facts.at(fact)) * M_PI / 180; };
         ASSERT_EQ(file.rows.size(), 300U);
-        EXPECT_EQ(file.facts.at("index_distal_deg"), set.empty() ? "0" : "20");
+        if (!set.empty()) {
+            EXPECT_EQ(file.facts.at("index_distal_deg"), "20");
+        }
         for (const auto &row : file.rows) {
             const std::map<std::string, double> angle_rad = {
                 {"index_0", row.at("actual_aai_rad")},    {"index_1", row.at("actual_fei_rad")},
@@ -168,15 +169,16 @@ TEST(Trajectory, head_says_what_is_fixed)
     const std::string run = (folder.path() / "run").string();
     ASSERT_EQ(run_twiddle("train --object large-cylinder --model cpg-s --trials 2 --set object.hinge_x_m=0.2 "
                           "--set object.hinge_y_m=0.015 --set object.counted_direction=1 "
-                          "--set hand.other_fingers_deg=30 --set object.rounding_m=0.001 --out " +
+                          "--set hand.index_distal_deg=7 --set hand.thumb_distal_deg=5 --set hand.other_fingers_deg=15 "
+                          "--set object.rounding_m=0.001 --out " +
                           run)
                   .status,
               0);
     ASSERT_EQ(run_twiddle("replay " + run).status, 0);
     const auto facts = read_trajectory(run + "/trajectory.csv").facts;
     const std::map<std::string, std::string> expected = {{"object_hinge_x_m", "0.2"},   {"object_hinge_y_m", "0.015"},
-                                                         {"counted_direction", "1"},    {"index_distal_deg", "0"},
-                                                         {"thumb_distal_deg", "0"},     {"other_fingers_deg", "30"},
+                                                         {"counted_direction", "1"},    {"index_distal_deg", "7"},
+                                                         {"thumb_distal_deg", "5"},     {"other_fingers_deg", "15"},
                                                          {"object_rounding_m", "0.001"}};
     for (const auto &[name, value] : expected) {
         EXPECT_EQ(facts.at(name), value) << name;

@@ -187,17 +187,17 @@ TEST_F(View, trajectory_of_other_columns_is_refused)
 
 TEST_F(View, trajectory_without_the_held_angles_is_refused)
 {
-    change("trajectory.csv", "# index_distal_deg: 0\n", "");
+    change("trajectory.csv", "# index_distal_deg: ", "# ");
     expect_refused(run().string(), 1, "has no line '# index_distal_deg: ...'");
 }
 
 // Expected: an angle beyond the joint's 90 deg cannot be this hand's, nor can one that moves the fingertip elsewhere.
 TEST_F(View, trajectory_of_another_hand_is_refused)
 {
-    change("trajectory.csv", "# index_distal_deg: 0\n", "# index_distal_deg: 120\n");
-    expect_refused(run().string(), 1, "is of another hand: index_distal_deg is 120");
-    change("trajectory.csv", "# index_distal_deg: 120\n", "# index_distal_deg: 10\n");
+    change("trajectory.csv", "# index_distal_deg: ", "# index_distal_deg: 1");
     expect_refused(run().string(), 1, "is of another hand: in step 1 a fingertip is");
+    change("trajectory.csv", "# index_distal_deg: ", "# index_distal_deg: 9");
+    expect_refused(run().string(), 1, "is of another hand: index_distal_deg is 910.957");
 }
 
 TEST_F(View, output_that_cannot_be_written_is_named)

@@ -27,7 +27,7 @@ view::RunView made_up_run(int steps, const std::string &text)
         step.angle_rad = {0.12345, -0.2, 0.3, 1.9};
         step.rotation_rad = i / 100.0;
         step.index_force_n = 0.25;
-        step.p_palm_index_tip_m = btVector3(0.080754, -0.034593, -0.008955);
+        step.p_palm_index_tip_m = btVector3(0.080754, -0.034593, -0.008957);
         run.steps.push_back(step);
     }
     return run;
@@ -77,9 +77,10 @@ TEST(ReplayPage, text_of_a_run_stays_text)
     const std::string text = "</script><script>alert(1)</script><!--\u2028@DATA@&\"'";
     const std::string plain = view::replay_page({made_up_run(3, "run")});
     const std::string page = view::replay_page({made_up_run(3, text)});
-    for (const char *part : {"<script", "</script", "<!--", "\u2028"}) {
+    for (const char *part : {"<script", "</script", "<!--"}) {
         EXPECT_EQ(count(page, part), count(plain, part)) << part;
     }
+    EXPECT_EQ(count(data_of(page), "\u2028"), 0U);
     const auto data = nlohmann::json::parse(data_of(page));
     EXPECT_EQ(data[0]["title"], text);
     EXPECT_EQ(data[0]["facts"][0][1], text);
