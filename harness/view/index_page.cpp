@@ -72,7 +72,7 @@ std::string style_of(double share)
     }
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), "background:#%02x%02x%02x;color:%s", colour[0], colour[1], colour[2],
-                  share > 0.5 ? "#fff" : "#000");
+                  share > 0.75 ? "#fff" : "#000");
     return text.data();
 }
 
