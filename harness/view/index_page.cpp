@@ -135,11 +135,11 @@ std::string index_page(const SweepView &sweep)
     }
     const std::size_t pages = static_cast<std::size_t>(
         std::count_if(sweep.cells.begin(), sweep.cells.end(), [](const IndexCell &cell) { return cell.has_page; }));
-    return filled_page(index_template, {{"TITLE", html_text(sweep.name)},
-                                        {"COUNT", std::to_string(pages) + " of " + std::to_string(sweep.cells.size())},
-                                        {"MOST", with_two_digits(largest_rad)},
-                                        {"VERSION", html_text(sweep.version)},
-                                        {"TABLE", table + "</tbody>\n"}});
+    return filled_page(index_html, {{"TITLE", html_text(sweep.name)},
+                                    {"COUNT", std::to_string(pages) + " of " + std::to_string(sweep.cells.size())},
+                                    {"MOST", with_two_digits(largest_rad)},
+                                    {"VERSION", html_text(sweep.version)},
+                                    {"TABLE", table + "</tbody>\n"}});
 }
 
 } // namespace twiddle::view

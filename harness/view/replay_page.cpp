@@ -123,7 +123,9 @@ std::string replay_page(const std::vector<RunView> &runs)
         title += (title.empty() ? "" : " and ") + run.title;
         data.push_back(json_of(run));
     }
-    return filled_page(replay_template, {{"TITLE", html_text(title)}, {"DATA", script_json(data)}});
+    return filled_page(
+        replay_html,
+        {{"TITLE", html_text(title)}, {"DATA", script_json(data)}, {"SCENE", scene_js}, {"PAGE", replay_js}});
 }
 
 } // namespace twiddle::view
