@@ -53,8 +53,10 @@ function show_chart() {
   c.scale(scale, scale);
   c.font = '11px system-ui,sans-serif';
   const all = runs.flatMap(run => run.rotation), most = Math.max(.1, ...all), least = Math.min(0, ...all);
-  const x = step => LEFT + (w - LEFT - RIGHT) * step / steps, y = a => bottom - (bottom - 8) * (a - least) / (most - least);
-  const text = (words, at, height, align) => Object.assign(c, {fillStyle: '#555', textAlign: align}).fillText(words, at, height);
+  const x = step => LEFT + (w - LEFT - RIGHT) * step / steps;
+  const y = a => bottom - (bottom - 8) * (a - least) / (most - least);
+  const text = (words, at, height, align) =>
+    Object.assign(c, {fillStyle: '#555', textAlign: align}).fillText(words, at, height);
   const tick = [.05, .1, .2, .5, 1, 2, 5, 10].find(size => (most - least) / size <= 5) || 20;
   c.strokeStyle = '#ddd';
   for (let a = Math.ceil(least / tick) * tick; a <= most; a += tick) {
@@ -67,7 +69,8 @@ function show_chart() {
     c.setLineDash(i ? [6, 4] : []);
     run.rotation.forEach((a, k) => c[k ? 'lineTo' : 'moveTo'](x(k + 1), y(a)));
     Object.assign(c, {strokeStyle: '#000', lineWidth: 1.8}).stroke();
-    if (runs.length > 1) text('AB'[i], x(run.rows.length) - 4, Math.max(12, y(run.rotation[run.rows.length - 1]) - 5), 'right');
+    const end = y(run.rotation[run.rows.length - 1]);
+    if (runs.length > 1) text('AB'[i], x(run.rows.length) - 4, end < 20 ? end + 14 : end - 5, 'right');
     c.setLineDash([]);
     ['index', 'thumb'].forEach((finger, k) => {
       const top = bottom + 6 + (i * 2 + k) * (BAND + 2), most_n = Math.max(...run.force[finger], 1e-9);
@@ -174,7 +177,8 @@ window.twiddle = {
   step: () => now, setStep: step_by_hand, play: () => set_playing(true), pause: () => set_playing(false),
   isPlaying: () => playing, data: runs[0], runs,
   project(x, y, z) {
-    const {canvas} = scenes[0], s = view_projection(canvas), of = i => s[i] * x + s[i + 4] * y + s[i + 8] * z + s[i + 12];
+    const {canvas} = scenes[0], s = view_projection(canvas);
+    const of = i => s[i] * x + s[i + 4] * y + s[i + 8] * z + s[i + 12];
     return [(1 + of(0) / of(3)) / 2 * canvas.clientWidth, (1 - of(1) / of(3)) / 2 * canvas.clientHeight];
   }
 };

@@ -95,8 +95,10 @@ function tube(points, r) {
   });
   return {vertices, triangles};
 }
-const shape_of = o => o.shape == 'sphere' ? turned(arc(o.radius, 0, 0, -H, 0).concat(arc(o.radius, 0, 0, 0, H)))
-  : o.shape == 'cylinder' ? cylinder(o.radius, o.height, o.rounding) : box([o.height, o.height, o.height], Math.max(o.rounding, 1e-5));
+const ball = r => turned([...arc(r, 0, 0, -H, 0), ...arc(r, 0, 0, 0, H)]);
+const cube = (side, e) => box([side, side, side], Math.max(e, 1e-5));
+const shape_of = o => o.shape == 'sphere' ? ball(o.radius)
+  : o.shape == 'cylinder' ? cylinder(o.radius, o.height, o.rounding) : cube(o.height, o.rounding);
 
 // --- camera, one for all scenes ---
 const camera = {turn: -1.8, lift: .52, away: .32, at: [0, 0, 0]};
@@ -106,15 +108,18 @@ function view_projection(canvas) {
   const back = [Math.cos(b) * Math.cos(a), Math.cos(b) * Math.sin(a), Math.sin(b)];
   const eye = camera.at.map((x, i) => x + d * back[i]), right = unit(cross([0, 0, 1], back)), up = cross(back, right);
   const aspect = canvas.clientWidth / canvas.clientHeight || 1;
-  const view = [0, 1, 2].flatMap(i => [right[i], up[i], back[i], 0]).concat([-dot(right, eye), -dot(up, eye), -dot(back, eye), 1]);
-  return times([f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0], view);
+  const axes = [0, 1, 2].flatMap(i => [right[i], up[i], back[i], 0]);
+  const view = [...axes, -dot(right, eye), -dot(up, eye), -dot(back, eye), 1];
+  const deep = [(far + near) / (near - far), 2 * far * near / (near - far)];
+  return times([f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, deep[0], -1, 0, 0, deep[1], 0], view);
 }
 
 // --- a scene ---
 const VERTEX = `attribute vec3 place,normal;uniform mat4 model,seen;varying vec3 n,p;
 void main(){p=place;n=mat3(model)*normal;gl_Position=seen*model*vec4(place,1.);}`;
 const FRAGMENT = `precision mediump float;varying vec3 n,p;uniform vec4 colour;uniform float striped;
-void main(){vec3 c=colour.rgb;if(striped>0.){float a=atan(p.y,p.x);c=sin(a*6.)>0.?c:mix(c,vec3(1.),.72);if(abs(a)<.11)c=vec3(.08);}
+void main(){vec3 c=colour.rgb;
+if(striped>0.){float a=atan(p.y,p.x);c=sin(a*6.)>0.?c:mix(c,vec3(1.),.72);if(abs(a)<.11)c=vec3(.08);}
 vec3 m=normalize(n);float l=.58+.3*max(0.,dot(m,vec3(.35,-.55,.76)))+.2*m.z*.5+.1*max(0.,dot(m,vec3(-.7,-.5,-.2)));
 gl_FragColor=vec4(c*l*1.12,colour.a);}`;
 // Smooth edges halve the frames where there is no graphics card.
@@ -151,7 +156,7 @@ class Scene {
     this.palm = run.palm.size[0] > 0 && this.buffers(box(run.palm.size, Math.min(...run.palm.size) * .42));
     this.object = this.buffers(shape_of(run.object));
     this.hinge = this.buffers(cylinder(.0014, run.object.height + .026, .0007));
-    this.ball = this.buffers(turned([...arc(1, 0, 0, -H, 0), ...arc(1, 0, 0, 0, H)]));
+    this.ball = this.buffers(ball(1));
     // The path so far is thicker than all of it, which stays within where the path repeats itself.
     this.traces = ['index', 'thumb'].map(finger => [.0005, .0009].map(r => this.buffers(tube(run.tips[finger], r))));
     this.finger = run.links.map((link, i) => this.moved(i));
@@ -211,7 +216,8 @@ class Scene {
     gl.depthMask(false);
     for (const finger of ['index', 'thumb']) {
       const force = run.force[finger][at];
-      if (force > 0) this.draw(this.ball, move(run.tips[finger][at], .0075 + .004 * Math.min(2, Math.sqrt(force))), RED, .45);
+      const radius = .0075 + .004 * Math.min(2, Math.sqrt(force));
+      if (force > 0) this.draw(this.ball, move(run.tips[finger][at], radius), RED, .45);
     }
     gl.depthMask(true);
     gl.disable(gl.BLEND);

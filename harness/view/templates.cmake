@@ -1,5 +1,6 @@
 # Writes OUTPUT, a C++ source with the pages and their script in SOURCE_DIR as constants.
-set(text "// Written by templates.cmake from the files it names.\n#include \"view/templates.hpp\"\n\nnamespace twiddle::view\n{\n")
+set(text "// Written by templates.cmake from the files it names.\n#include \"view/templates.hpp\"\n")
+string(APPEND text "\nnamespace twiddle::view\n{\n")
 foreach(part replay.html index.html scene.js replay.js)
   file(READ ${SOURCE_DIR}/${part} content)
   string(REPLACE . _ name ${part})
