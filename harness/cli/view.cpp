@@ -8,6 +8,7 @@
 #include "view/sweep_view.hpp"
 
 #include <iostream>
+#include <system_error>
 #include <utility>
 
 namespace twiddle::cli
@@ -21,11 +22,18 @@ namespace fs = std::filesystem;
 // A file, and what is to stand in it.
 using Page = std::pair<fs::path, std::string>;
 
+// A page that could not be written whole can be made again; nothing of it stays.
 void write_page(const Page &page)
 {
-    record::PartFile file(page.first);
-    file.write(page.second);
-    file.finish();
+    try {
+        record::PartFile file(page.first);
+        file.write(page.second);
+        file.finish();
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(record::part_path(page.first), ignored);
+        throw;
+    }
 }
 
 void view_run(const ViewOptions &options, const fs::path &models)

@@ -81,7 +81,10 @@ class View : public testing::Test
     // Refused in one sentence with `part`, and nothing written.
     void expect_refused(const std::string &arguments, int status, const std::string &part) const
     {
-        const Outcome outcome = run_twiddle("view " + arguments);
+        expect_refusal(run_twiddle("view " + arguments), status, part);
+    }
+    void expect_refusal(const Outcome &outcome, int status, const std::string &part) const
+    {
         EXPECT_EQ(outcome.status, status) << outcome.error;
         EXPECT_TRUE(is_one_complaint(outcome.error)) << outcome.error;
         EXPECT_NE(outcome.error.find(part), std::string::npos) << outcome.error;
@@ -205,6 +208,20 @@ TEST_F(View, output_that_cannot_be_written_is_named)
     const std::string out = "/nonexistent/folder/page.html";
     expect_refused(run().string() + " --out " + out, 1, out);
     expect_refused(run().string() + " --index-only", 2, "is no folder of a sweep");
+}
+
+TEST_F(View, full_disk_leaves_nothing_of_a_page)
+{
+    constexpr int blocks = 16;
+    expect_refusal(run_twiddle_on_full_disk("view " + run().string(), blocks), 1, "replay.html");
+}
+
+// A page shows what the folder holds; expected: a training from the start takes the old one away.
+TEST_F(View, page_goes_with_the_results_of_an_earlier_start)
+{
+    ASSERT_EQ(run_twiddle("view " + run().string()).status, 0);
+    ASSERT_EQ(run_twiddle("train --object small-sphere --model cpg-h --trials 20 --out " + run().string()).status, 0);
+    EXPECT_FALSE(fs::exists(run() / "replay.html"));
 }
 
 TEST_F(View, second_run_that_is_none_leaves_nothing)
