@@ -24,11 +24,12 @@ help: ## print this list
 
 DEMO := results/demo
 
-run: program gnuplot ## train CPG-H on the small sphere, replay what it learned, and draw both, into results/demo
+run: program gnuplot ## train CPG-H on the small sphere, replay what it learned, draw both, and write a page to look at, into results/demo
 	rm -rf $(DEMO)
 	$(TWIDDLE) train --object small-sphere --model cpg-h --seed 1 --trials 5000 --out $(DEMO)
 	$(TWIDDLE) replay $(DEMO)
 	plots/draw-run $(DEMO)
+	$(TWIDDLE) view $(DEMO)
 
 test: deps-run-test-firmware with-tests-emulators peers firmware ## run all tests, on the emulated boards too
 	$(build) program tests emulators
@@ -103,9 +104,10 @@ paper-slurm: program
 	    $(if $(filter 0,$(WAIT)),--no-wait) $(setup_option) experiments/sweeps/$(SWEEP).toml $(RESULTS) \
 	    make --no-print-directory paper-results SWEEP=$(SWEEP) RESULTS=$(RESULTS) BUILD=$(BUILD)
 
-paper-results: gnuplot ## make tables and figures from the complete runs of a sweep, with the program as it is built: make paper-results SWEEP=smoke
+paper-results: gnuplot ## make tables, figures and pages to look at from the complete runs of a sweep, with the program as it is built: make paper-results SWEEP=smoke
 	$(TWIDDLE) summarize $(RESULTS)
 	plots/draw-sweep $(RESULTS)
+	$(TWIDDLE) view $(RESULTS)
 
 CALIBRATION := results/calibration
 

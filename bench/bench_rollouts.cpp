@@ -105,7 +105,7 @@ class Mechanics
 {
   public:
     Mechanics(const sim::HandModel &model, const settings::Setup &setup)
-        : hand_(model, setup.hand, sim::HandHold::welded), gravity_m_s2_(sim::gravity_palm_m_s2(setup.physics))
+        : hand_(model, setup.hand, sim::HandHold::welded), gravity_m_s2_(sim::gravity_palm_m_s2(model, setup.physics))
     {
     }
 

@@ -89,8 +89,9 @@ def pose_attributes(X):
     return {"pos": text_of(X[:3, 3]), "xyaxes": text_of(X[:3, :2].T)}
 
 
-# The palm frame in `hand`, as in harness/sim/hand_model.cpp.
-X_HAND_PALM = pose((-0.0577, -0.0056, 0.0137), np.radians((-90, -15, 180)))
+def palm_frame(root):
+    """The palm frame in `hand`, of a URDF's root element."""
+    return origin_of(root.find("joint[@name='palm_frame']"))
 
 
 # --- the hand ---
@@ -137,13 +138,14 @@ class HandWriter:
 
     def __init__(self, urdf, settings):
         self.root = xml.parse(urdf).getroot()
+        self.X_hand_palm = palm_frame(self.root)
         self.links = {link.get("name"): link for link in self.root.findall("link")}
         self.settings = settings["hand"]
 
     def add_fingers(self, world):
         for finger in FINGERS:
             joint = self.root.find(f"joint[@name='{finger}_0']")
-            self.add_link(world, np.linalg.inv(X_HAND_PALM), joint, finger)
+            self.add_link(world, np.linalg.inv(self.X_hand_palm), joint, finger)
 
     def add_link(self, parent, X_parent_urdf_parent, joint, finger):
         """The link of a moving joint as a body, with all links that are held on it."""
@@ -273,8 +275,8 @@ def add_contacts(root, friction, error_reduction, timestep_s, options):
         )
 
 
-def add_options(root, settings, timestep_s, options):
-    gravity = X_HAND_PALM[:3, :3].T @ settings["gravity_direction"] * settings["gravity_m_s2"]
+def add_options(root, settings, timestep_s, options, X_hand_palm):
+    gravity = X_hand_palm[:3, :3].T @ settings["gravity_direction"] * settings["gravity_m_s2"]
     option = xml.SubElement(
         root,
         "option",
@@ -310,10 +312,11 @@ def mjcf(models, object_name, settings, substeps, options=Options()):
     timestep_s = CONTROL_STEP_S / substeps
     root = xml.Element("mujoco", model=object_name)
     xml.SubElement(root, "compiler", angle="radian", autolimits="true")
-    add_options(root, settings["physics"], timestep_s, options)
+    hand = HandWriter(Path(models) / "icub_right_hand.urdf", settings)
+    add_options(root, settings["physics"], timestep_s, options, hand.X_hand_palm)
     add_defaults(root, timestep_s, options)
     world = xml.SubElement(root, "worldbody")
-    HandWriter(Path(models) / "icub_right_hand.urdf", settings).add_fingers(world)
+    hand.add_fingers(world)
     add_object(world, Path(models) / "objects" / f"{object_name}.urdf", settings["object"])
     add_contacts(root, settings["contact"]["friction"], settings["physics"]["error_reduction"], timestep_s, options)
     add_actuators(root, settings["hand"])

@@ -126,6 +126,21 @@ void add_options(CLI::App &command, CompareClaimsOptions &options)
     command.add_option("DIR", options.sweep_dirs, "Folders of sweeps, with claims.csv")->required()->type_name("");
 }
 
+void add_options(CLI::App &command, ViewOptions &options)
+{
+    command.add_option("DIR", options.dir, "Folder of a run with a replay, or of a sweep, with sweep.json")
+        ->required()
+        ->type_name("");
+    CLI::Option *out = command.add_option("--out", options.out, "File to write [DIR/replay.html]")->type_name("FILE");
+    CLI::Option *compare =
+        command.add_option("--compare", options.compare, "Folder of a second run, to be shown beside")
+            ->type_name("DIR");
+    command.add_flag("--index-only", options.index_only, "Of a sweep: its index without the runs' pages")
+        ->excludes(out)
+        ->excludes(compare);
+    add_models(command, options.models_dir);
+}
+
 void add_options(CLI::App &command, InfoOptions &options)
 {
     add_models(command, options.models_dir);
@@ -161,6 +176,8 @@ void add_commands(CLI::App &app, std::optional<Command> &asked)
     add_command<CompareClaimsOptions>(
         app, asked, "compare-claims",
         "Put the claims of several summarized sweeps side by side, as Markdown on standard output");
+    add_command<ViewOptions>(app, asked, "view",
+                             "Write a page on which a browser replays a run; of a sweep, one a run and index.html");
     add_command<InfoOptions>(app, asked, "info", "Print versions, number type, models, objects and set-ups");
 }
 
@@ -182,7 +199,7 @@ std::optional<Command> parse_command_line(int argc, char **argv)
     }
     if (!asked)
         throw runs::UsageError("a command is missing: train, sweep, calibrate, replay, rollout, export, summarize, "
-                               "compare-claims or info; see --help");
+                               "compare-claims, view or info; see --help");
     return asked;
 }
 

@@ -20,6 +20,7 @@ int run_command(const RolloutOptions &options, const Arguments &arguments);
 int run_command(const ExportOptions &options, const Arguments &arguments);
 int run_command(const SummarizeOptions &options, const Arguments &arguments);
 int run_command(const CompareClaimsOptions &options, const Arguments &arguments);
+int run_command(const ViewOptions &options, const Arguments &arguments);
 int run_command(const InfoOptions &options, const Arguments &arguments);
 
 } // namespace twiddle::cli

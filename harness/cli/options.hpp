@@ -96,12 +96,22 @@ struct CompareClaimsOptions {
     std::vector<std::string> sweep_dirs;
 };
 
+struct ViewOptions {
+    // Folder of a run or of a sweep.
+    std::string dir;
+    std::string out;
+    // Another run's folder, to be shown beside.
+    std::string compare;
+    bool index_only = false;
+    std::string models_dir;
+};
+
 struct InfoOptions {
     std::string models_dir;
 };
 
 // One command.
 using Command = std::variant<TrainOptions, SweepOptions, CalibrateOptions, ReplayOptions, RolloutOptions, ExportOptions,
-                             SummarizeOptions, CompareClaimsOptions, InfoOptions>;
+                             SummarizeOptions, CompareClaimsOptions, ViewOptions, InfoOptions>;
 
 } // namespace twiddle::cli

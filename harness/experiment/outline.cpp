@@ -110,4 +110,13 @@ std::vector<std::string> object_facts(const std::string &name, double size_m, co
             "object_centre_z_m: " + record::number_text(centre_m.z())};
 }
 
+std::vector<std::string> fixed_facts(const settings::Setup &setup, const sim::ObjectBody &body)
+{
+    return {"object_rounding_m: " + record::number_text(body.rounding_m),
+            "counted_direction: " + std::to_string(setup.object.counted_direction),
+            "index_distal_deg: " + record::number_text(setup.hand.index_distal_deg),
+            "thumb_distal_deg: " + record::number_text(setup.hand.thumb_distal_deg),
+            "other_fingers_deg: " + record::number_text(setup.hand.other_fingers_deg)};
+}
+
 } // namespace twiddle::experiment

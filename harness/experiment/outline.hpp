@@ -25,4 +25,9 @@ void write_outline(const std::filesystem::path &path, const std::vector<Polyline
 // What the body is, as lines "object_shape: sphere" for the head of a file.
 std::vector<std::string> object_facts(const std::string &name, double size_m, const sim::ObjectBody &body);
 
+// What is fixed in a trial beside the body, as such lines: which turn about the hinge counts, the radius of rounded
+// edges, and the angles of the joints that are held. With the hand's URDF and the joint angles that move, they are
+// enough to draw the trial.
+std::vector<std::string> fixed_facts(const settings::Setup &setup, const sim::ObjectBody &body);
+
 } // namespace twiddle::experiment

@@ -87,6 +87,19 @@ std::vector<std::string> read_csv_header(const std::filesystem::path &path)
     throw error_of(path, "has no header row");
 }
 
+std::map<std::string, std::string> read_csv_facts(const std::filesystem::path &path)
+{
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error("cannot read '" + path.string() + "'");
+    std::map<std::string, std::string> facts;
+    for (std::string line; std::getline(file, line) && !is_row(line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.rfind("# ", 0) == 0 && colon != std::string::npos)
+            facts.emplace(line.substr(2, colon - 2), line.substr(colon + 2));
+    }
+    return facts;
+}
+
 std::vector<std::vector<double>> read_csv_columns(const std::filesystem::path &path,
                                                   const std::vector<std::string> &names)
 {

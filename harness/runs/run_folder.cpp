@@ -61,7 +61,7 @@ std::optional<record::Run> claim(const RunFolder &folder, const record::RunSpeci
 void remove_results(const RunFolder &folder)
 {
     for (const fs::path &file : {folder.trials_csv(), folder.policy_json(), folder.trajectory_csv(),
-                                 outline_beside(folder.trajectory_csv())}) {
+                                 outline_beside(folder.trajectory_csv()), folder.replay_html()}) {
         fs::remove(file);
         fs::remove(record::part_path(file));
     }

@@ -30,6 +30,10 @@ struct RunFolder {
     {
         return path / "trajectory.csv";
     }
+    std::filesystem::path replay_html() const
+    {
+        return path / "replay.html";
+    }
 };
 
 // The outline that goes with the trajectory file `trajectory`.

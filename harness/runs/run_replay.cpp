@@ -53,6 +53,8 @@ void write_replay(const std::filesystem::path &path, const record::RunSpecificat
     experiment::write_outline(outline_beside(path), experiment::object_outline(body),
                               head_comments(specification, "the object's outline at the trial's start", facts));
 
+    const std::vector<std::string> fixed = experiment::fixed_facts(setup, body);
+    facts.insert(facts.end(), fixed.begin(), fixed.end());
     if (trajectory.result.fault.empty()) {
         facts.push_back("rotation_rad: " + record::number_text(trajectory.result.rotation_rad));
         facts.push_back("min_finger_clearance_m: " + record::number_text(trajectory.min_finger_clearance_m));

@@ -159,7 +159,7 @@ void ArticulatedHand::reset()
     body_->clearForcesAndTorques();
     body_->clearVelocities();
     // Bullet normalises even a fixed base's rotation at every step, so that its last digits wander.
-    const btTransform X_palm_hand = X_hand_palm().inverse();
+    const btTransform X_palm_hand = model_.X_hand_palm.inverse();
     body_->setBasePos(X_palm_hand.getOrigin());
     body_->setWorldToBaseRot(X_palm_hand.getRotation().inverse());
     for (const ArticulatedLink &link : links_) {

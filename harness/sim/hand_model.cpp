@@ -117,6 +117,63 @@ std::size_t rank(const urdf::Link &link)
     return static_cast<std::size_t>(found - fingers.begin());
 }
 
+// A link that says where the palm frame is, and is no body.
+bool is_palm_frame(const urdf::Link &link)
+{
+    return link.name == "palm" && !link.inertial && link.collision_array.empty();
+}
+
+// The rotation of a URDF origin from its angles, not from urdfdom's quaternion: right angles stay right to the last
+// bit, which the trajectories of all trials depend on.
+btMatrix3x3 matrix_of_angles(const urdf::Rotation &rotation)
+{
+    constexpr double rounding = 1e-15;
+    std::array<double, 3> angle_rad{};
+    rotation.getRPY(angle_rad[0], angle_rad[1], angle_rad[2]);
+    std::array<double, 3> c{};
+    std::array<double, 3> s{};
+    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
+        c[i] = std::cos(angle_rad[i]);
+        s[i] = std::sin(angle_rad[i]);
+        if (std::abs(c[i]) < rounding) c[i] = 0;
+        if (std::abs(s[i]) < rounding) s[i] = 0;
+    }
+    const auto [cr, cp, cy] = c;
+    const auto [sr, sp, sy] = s;
+    return {cy * cp,
+            cy * sp * sr - sy * cr,
+            cy * sp * cr + sy * sr, // yaw about z, after pitch, after roll
+            sy * cp,
+            sy * sp * sr + cy * cr,
+            sy * sp * cr - cy * sr, //
+            -sp,
+            cp * sr,
+            cp * cr};
+}
+
+void read_palm_frame(const std::filesystem::path &path, const urdf::Link &root, HandModel &hand)
+{
+    const auto found = std::find_if(root.child_links.begin(), root.child_links.end(),
+                                    [](const auto &child) { return is_palm_frame(*child); });
+    if (found == root.child_links.end())
+        Place{path, root.name}.fail("does not carry the palm frame, a link \"palm\" without mass and shape");
+    const urdf::Joint &joint = *(*found)->parent_joint;
+    if (joint.type != urdf::Joint::FIXED)
+        Place{path, (*found)->name}.fail("hangs on joint \"" + joint.name + "\", which is not fixed");
+    const auto &origin = joint.parent_to_joint_origin_transform;
+    hand.X_hand_palm = btTransform(matrix_of_angles(origin.rotation), vector_of(origin.position));
+}
+
+// The first visual shape of the root, if it is a box.
+void read_palm_box(const urdf::Link &root, HandModel &hand)
+{
+    if (!root.visual) return;
+    const auto *box = dynamic_cast<const urdf::Box *>(root.visual->geometry.get());
+    if (box == nullptr) return;
+    hand.X_hand_box = btTransform(matrix_of(root.visual->origin.rotation), vector_of(root.visual->origin.position));
+    hand.box_size_m = vector_of(box->dim);
+}
+
 // Append the links below `source` to `hand`, parents before children. `parent` is the index of `source`.
 void read_children(const std::filesystem::path &path, const urdf::Link &source, int parent, HandModel &hand)
 {
@@ -124,6 +181,7 @@ void read_children(const std::filesystem::path &path, const urdf::Link &source, 
     std::stable_sort(children.begin(), children.end(),
                      [](const auto &a, const auto &b) { return rank(*a) < rank(*b); });
     for (const auto &child : children) {
+        if (parent < 0 && is_palm_frame(*child)) continue;
         const Place place{path, child->name};
         HandLink link;
         link.name = child->name;
@@ -157,14 +215,6 @@ int HandModel::dof_count() const
         std::count_if(links.begin(), links.end(), [](const HandLink &link) { return link.revolute; }));
 }
 
-btTransform X_hand_palm()
-{
-    // Roll, pitch, yaw of -90, -15 and 180 deg, multiplied out: its columns are distal, ulnar and out of the palm.
-    const double c = std::cos(SIMD_PI / 12);
-    const double s = std::sin(SIMD_PI / 12);
-    return btTransform(btMatrix3x3(-c, -s, 0, 0, 0, -1, s, -c, 0), btVector3(-0.0577, -0.0056, 0.0137));
-}
-
 HandModel read_hand_model(const std::filesystem::path &path)
 {
     const auto model = read_urdf(path);
@@ -172,6 +222,8 @@ HandModel read_hand_model(const std::filesystem::path &path)
     hand.name = model->getName();
     hand.root = model->getRoot()->name;
     read_children(path, *model->getRoot(), -1, hand);
+    read_palm_frame(path, *model->getRoot(), hand);
+    read_palm_box(*model->getRoot(), hand);
     return hand;
 }
 

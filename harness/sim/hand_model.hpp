@@ -37,6 +37,12 @@ struct HandModel {
     std::string name;
     std::string root; // the palm's link name
     std::vector<HandLink> links;
+    // The palm frame of all reported positions, in the root's frame: the hand's Denavit-Hartenberg frame, which the
+    // URDF has as the massless link "palm". +x is distal, +y ulnar, +z out of the palm.
+    btTransform X_hand_palm = btTransform::getIdentity();
+    // The box that the palm is drawn as, about its centre in the root's frame; without size if the URDF has none.
+    btTransform X_hand_box = btTransform::getIdentity();
+    btVector3 box_size_m = btVector3(0, 0, 0);
 
     // Index of the link that `joint` moves. Throws std::out_of_range with the joint's name.
     int link_of_joint(const std::string &joint) const;
@@ -45,10 +51,6 @@ struct HandModel {
     // 19 for the iCub hand.
     int dof_count() const;
 };
-
-// The palm frame of all reported positions, in the `hand` frame: the hand's Denavit-Hartenberg frame. +x is distal,
-// +y ulnar, +z out of the palm.
-btTransform X_hand_palm();
 
 // Read `path`. Throws std::runtime_error with one sentence that names the file, the link and what was expected.
 HandModel read_hand_model(const std::filesystem::path &path);

@@ -9,11 +9,11 @@
 namespace twiddle::sim
 {
 
-btVector3 gravity_palm_m_s2(const settings::PhysicsSetup &setup)
+btVector3 gravity_palm_m_s2(const HandModel &hand, const settings::PhysicsSetup &setup)
 {
     const auto &d = setup.gravity_direction;
     const btVector3 direction_hand(d[0], d[1], d[2]);
-    return X_hand_palm().getBasis().transpose() * direction_hand * setup.gravity_m_s2;
+    return hand.X_hand_palm.getBasis().transpose() * direction_hand * setup.gravity_m_s2;
 }
 
 const std::vector<std::string> &stepper_names()

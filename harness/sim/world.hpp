@@ -18,8 +18,8 @@
 namespace twiddle::sim
 {
 
-// Gravity in the palm frame.
-btVector3 gravity_palm_m_s2(const settings::PhysicsSetup &setup);
+// Gravity in the palm frame of `hand`.
+btVector3 gravity_palm_m_s2(const HandModel &hand, const settings::PhysicsSetup &setup);
 
 // What can be seen of the world after a substep. All in the palm frame.
 struct Observation {

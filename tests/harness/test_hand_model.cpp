@@ -202,7 +202,7 @@ TEST(hand_model, fingertips_are_where_the_public_model_has_them)
 // Expected: the palm frame's published pose, xyz -57.7 -5.6 13.7 mm and rpy -90 -15 180 deg.
 TEST(hand_model, palm_frame_has_its_pose)
 {
-    const btTransform X = sim::X_hand_palm();
+    const btTransform X = hand().X_hand_palm;
     const test::Matrix4 expected = test::transform({-0.0577, -0.0056, 0.0137}, {-90 * deg, -15 * deg, 180 * deg});
     for (int row = 0; row < 3; ++row) {
         EXPECT_NEAR(X.getOrigin()[row], expected[row][3], 1e-15);
@@ -211,12 +211,32 @@ TEST(hand_model, palm_frame_has_its_pose)
     }
 }
 
+// Expected: the cosine and the sine of 15 deg and nothing else, since trials repeat to the last bit.
+TEST(hand_model, palm_frame_is_exact_where_its_angles_are_right)
+{
+    const btMatrix3x3 R = hand().X_hand_palm.getBasis();
+    const double c = std::cos(M_PI / 12);
+    const double s = std::sin(M_PI / 12);
+    const std::array<std::array<double, 3>, 3> expected = {{{-c, -s, 0}, {0, 0, -1}, {s, -c, 0}}};
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column)
+            EXPECT_EQ(R[row][column], expected[row][column]) << row << ", " << column;
+    }
+}
+
+// The frame is no body: a link without mass would stop a simulation.
+TEST(hand_model, palm_frame_is_no_link)
+{
+    for (const auto &link : hand().links)
+        EXPECT_NE(link.name, "palm");
+}
+
 // Expected: the straight middle finger lies along palm +x, the little finger's knuckle is on the +y side of the
 // index's, and flexion carries a fingertip towards +z.
 TEST(hand_model, palm_frame_is_distal_ulnar_and_out_of_the_palm)
 {
     const HandModel model = hand();
-    const btTransform X_palm_hand = sim::X_hand_palm().inverse();
+    const btTransform X_palm_hand = model.X_hand_palm.inverse();
     const btVector3 distal = X_palm_hand.getBasis() * forward(model, "middle_3", {}).getBasis().getColumn(0);
     expect_near(distal, btVector3(1, 0, 0), 1e-6);
     const auto knuckle = [&](const char *joint) { return X_palm_hand * forward(model, joint, {}).getOrigin(); };
@@ -269,6 +289,12 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"other_axis", "<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 1 0\"/>", "z axis"},
         Fault{"axis_in_words", "<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 one\"/>", "no valid URDF"},
         Fault{"no_range", "lower=\"0\" upper=\"2.26", "lower=\"3\" upper=\"2.26", "lower must be below upper"},
+        Fault{"no_palm_frame", "<link name=\"palm\"/>",
+              "<link name=\"palm\"><inertial><mass value=\"1\"/>"
+              "<inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial></link>",
+              "expected a capsule"},
+        Fault{"moving_palm_frame", "name=\"palm_frame\" type=\"fixed\"", "name=\"palm_frame\" type=\"floating\"",
+              "not fixed"},
         Fault{"no_mass", "<mass value=\"0.005926496731\"/>", "<mass value=\"0\"/>", "mass"},
         Fault{"inertia", "<inertia ixx=\"1.179069224e-07\"", "<inertia ixx=\"-1\"", "moment of inertia"},
         Fault{"one_sphere",
@@ -289,6 +315,15 @@ TEST(hand_model, a_hand_without_a_root_is_refused)
     const auto path = folder.write("hand.urdf", "<robot name=\"r\"></robot>");
     const std::string error = test::error_of([&] { sim::read_hand_model(path); });
     EXPECT_TRUE(test::is_one_sentence_with(error, {path.string(), "no valid URDF"})) << error;
+}
+
+// Expected: a hand whose frame of all positions is missing is refused, and the sentence says what is missing.
+TEST(hand_model, a_hand_without_the_palm_frame_is_refused)
+{
+    const test::ScratchFolder folder;
+    const auto path = folder.write("hand.urdf", R"(<robot name="r"><link name="wrist"/></robot>)");
+    const std::string error = test::error_of([&] { sim::read_hand_model(path); });
+    EXPECT_TRUE(test::is_one_sentence_with(error, {path.string(), "wrist", "palm frame"})) << error;
 }
 
 // A link without <inertial> cannot be simulated; expected: the sentence names the link.

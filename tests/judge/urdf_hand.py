@@ -1,11 +1,12 @@
 """The hand as MuJoCo's own reader of URDF sees it: all 19 joints, the world is the frame of the link `hand`."""
 
 import math
+import xml.etree.ElementTree as xml
 
 import mujoco
 import numpy as np
 
-from mujoco_hand import FINGERS, X_HAND_PALM
+from mujoco_hand import FINGERS, palm_frame
 from mujoco_state import controlled_joints, mass_matrix
 
 
@@ -14,6 +15,7 @@ class UrdfHand:
 
     def __init__(self, urdf, hand_settings):
         self.model = mujoco.MjModel.from_xml_path(str(urdf))
+        self.X_hand_palm = palm_frame(xml.parse(urdf).getroot())
         self.data = mujoco.MjData(self.model)
         self.joints = controlled_joints(self.model)
         for finger in FINGERS:
@@ -34,7 +36,7 @@ class UrdfHand:
         ]
         tip = max(spheres, key=lambda geom: self.model.geom_pos[geom][0])
         p_hand_tip_m = np.append(self.data.geom_xpos[tip], 1)
-        return (np.linalg.inv(X_HAND_PALM) @ p_hand_tip_m)[:3]
+        return (np.linalg.inv(self.X_hand_palm) @ p_hand_tip_m)[:3]
 
     def mass(self):
         return mass_matrix(self.model, self.data, self.joints)

@@ -59,7 +59,9 @@ FingerModel finger_model(ArticulatedHand &hand, Joint first, Joint second, const
         if (kinematics.carried(joint).capsules.size() > most_capsules)
             refuse("a hand with more than " + std::to_string(most_capsules) + " rigid links on one joint");
     }
-    return {{first, second}, FingerDynamics(hand, first_link, second_link, gravity_palm_m_s2(physics)), kinematics};
+    return {{first, second},
+            FingerDynamics(hand, first_link, second_link, gravity_palm_m_s2(hand.model(), physics)),
+            kinematics};
 }
 
 JointStops joint_stops(const HandModel &model, const std::array<std::size_t, 2> &joint, double error_reduction,

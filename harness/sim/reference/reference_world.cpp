@@ -96,7 +96,7 @@ class ReferenceWorld final : public World
         clear_impulses(object_.coulomb_friction());
         stage_ = std::make_unique<Stage>();
         configure_solver();
-        stage_->world.setGravity(gravity_palm_m_s2(setup_.physics));
+        stage_->world.setGravity(gravity_palm_m_s2(hand_.model(), setup_.physics));
         add_bodies();
     }
 

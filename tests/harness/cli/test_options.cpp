@@ -16,7 +16,7 @@ TEST(Options, wrong_use_is_one_sentence_and_status_2)
 {
     const std::string train = "train --object small-sphere --model cpg-h --out /nonexistent/out ";
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {"", "train, sweep, calibrate, replay, rollout, export, summarize, compare-claims or info"},
+        {"", "train, sweep, calibrate, replay, rollout, export, summarize, compare-claims, view or info"},
         {"juggle", "juggle"},
         {"train --model cpg-h", "--object is required"},
         {"train --object small-sphere", "--model is required"},

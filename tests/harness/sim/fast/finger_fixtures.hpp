@@ -47,7 +47,7 @@ class BulletFinger
 {
   public:
     BulletFinger(const settings::Setup &setup, Finger finger)
-        : gravity_m_s2(gravity_palm_m_s2(setup.physics)),
+        : gravity_m_s2(gravity_palm_m_s2(icub_hand(), setup.physics)),
           hand(icub_hand(), setup.hand, HandHold::welded), link{hand.controlled()[finger == Finger::index ? aai : ot],
                                                                 hand.controlled()[finger == Finger::index ? fei : fet]}
     {
