@@ -1,10 +1,12 @@
 """test_view.py FOLDER CLAIM: one claim about the pages of FOLDER (prepare_runs.sh), in a real browser. Ends with 77
 where there is none. FOLDER CLAIM `speed` asserts nothing and prints frames a second."""
 
+import base64
 import contextlib
 import json
 import math
 import pathlib
+import subprocess
 import sys
 
 import chromium
@@ -256,6 +258,29 @@ def says_so_without_webgl(folder):
         check(page.box("no-webgl")[3] > 0 and "WebGL" in page.text("no-webgl"), "there is no sentence")
         said, half_unit = page.number("rotation")
         check(abs(said - run.row(300)["object_rad"]) <= half_unit + ROUNDED, f"the rotation is {said}")
+
+
+def film_has_a_frame_every_fifth_step(folder):
+    film = folder / "film.webp"
+    plots = pathlib.Path(chromium.__file__).parent
+    subprocess.run([plots / "film-run", folder / "run", film], check=True)
+    with replay() as page:
+        page.browser.open(folder / "sweep/index.html")
+        # The browser's own decoder, which had no part in putting the frames together.
+        frames = page.browser.value(f"""(async () => {{
+            const data = Uint8Array.from(atob('{base64.b64encode(film.read_bytes()).decode()}'), c => c.charCodeAt(0));
+            const decoder = new ImageDecoder({{data, type: 'image/webp'}});
+            await decoder.tracks.ready;
+            await decoder.completed;
+            const frames = [];
+            for (let i = 0; i < decoder.tracks.selectedTrack.frameCount; i++) {{
+                const {{image}} = await decoder.decode({{frameIndex: i}});
+                frames.push([image.displayWidth, image.displayHeight, image.duration / 1000]);
+            }}
+            return frames;
+        }})()""")
+        check(len(frames) == 60, f"{len(frames)} frames of 300 steps")
+        check(all(frame[:2] == frames[0][:2] and frame[2] == 50 for frame in frames[:-1]), f"the frames are {frames}")
 
 
 def speed(folder):

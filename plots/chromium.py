@@ -1,7 +1,7 @@
-"""A page in Chromium, without a display: what a user can do to it, and what it asks the network for.
+"""A page in Chromium, without a display: what a user can do to it, what it looks like, what it asks the network for.
 
-The browser is spoken to over a pipe in its own debugging protocol, so that a test needs Debian's chromium and nothing
-else: https://chromedevtools.github.io/devtools-protocol/."""
+The browser is spoken to over a pipe in its own debugging protocol, so that Debian's chromium is all that is needed:
+https://chromedevtools.github.io/devtools-protocol/."""
 
 import base64
 import contextlib
@@ -138,7 +138,7 @@ class Page:
         answer = self._call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
         if "exceptionDetails" in answer:
             details = answer["exceptionDetails"]
-            raise Failure(f"{expression}: {details.get('exception', {}).get('description', details['text'])}")
+            raise Failure(f"{expression[:100]}: {details.get('exception', {}).get('description', details['text'])}")
         return answer["result"].get("value")
 
     def wait_for(self, expression, seconds=20):
@@ -167,14 +167,14 @@ class Page:
     def turn_wheel(self, x, y, pixels):
         self._call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=pixels)
 
-    def picture(self, box=None):
-        """A PNG of the window, or of its box (x, y, width, height)."""
+    def picture(self, box=None, **kind):
+        """A PNG of the window, or of its box (x, y, width, height); or format="webp", quality=0..100."""
         # Two frames, so that what was asked for last has been drawn.
         self.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
         clip = {}
         if box:
             clip = {"clip": dict(zip(("x", "y", "width", "height"), box), scale=1)}
-        return base64.b64decode(self._call("Page.captureScreenshot", format="png", **clip)["data"])
+        return base64.b64decode(self._call("Page.captureScreenshot", **{"format": "png", **kind, **clip})["data"])
 
     def complaints(self):
         """Errors and warnings of the console, and exceptions that nobody caught, since the page was opened."""
