@@ -66,6 +66,16 @@ performance: deps-run-bench gnuplot with-bench ## measure how the cost of a cont
 plots: ## draw the figures of one run again, or of a sweep: make plots RUN=results/demo, or SWEEP=paper
 	$(if $(filter file,$(origin SWEEP)),plots/draw-run $(RUN),plots/draw-sweep $(RESULTS))
 
+# What README shows. Both look at a page in a browser, which the tests need, too.
+.PHONY: animation index-picture
+animation: program deps-run-test ## film the replay of a run into docs/images/replay.webp: make animation RUN=results/demo
+	$(TWIDDLE) view $(RUN)
+	plots/film-run $(RUN) docs/images/replay.webp
+
+index-picture: program deps-run-test ## photograph the table of a sweep into docs/images/sweep_index.png: make index-picture SWEEP=paper
+	$(TWIDDLE) view --index-only $(RESULTS)
+	plots/photograph $(RESULTS)/index.html docs/images/sweep_index.png
+
 # Said before the training, not after it.
 gnuplot:
 	@command -v gnuplot >/dev/null || \

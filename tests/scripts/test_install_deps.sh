@@ -7,6 +7,10 @@ install_deps=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
+# Which system it is, whatever the tests run on.
+export TWIDDLE_OS_RELEASE=$work/os-release
+echo 'ID=debian' >"$TWIDDLE_OS_RELEASE"
+
 # stand_in NAME BODY: a program NAME on the PATH that install-deps sees.
 stand_in()
 {
@@ -173,7 +177,7 @@ a_machine_without_dpkg_is_told_the_whole_list()
 program="build-essential cmake ninja-build pkg-config git libbullet-dev libccd-dev liburdfdom-dev libcli11-dev
     libtomlplusplus-dev nlohmann-json3-dev libboost-math-dev gnuplot-nox fonts-dejavu-core"
 tests="libcmocka-dev libgtest-dev libgsl-dev libbullet-extras-dev libtinyxml-dev clang
-    slurmctld slurmd slurm-client munge procps python3-venv"
+    chromium slurmctld slurmd slurm-client munge procps python3-venv"
 boards="gcc-arm-none-eabi libnewlib-arm-none-eabi gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf gcc-avr avr-libc
     qemu-system-arm qemu-system-misc libsimavr-dev libelf-dev"
 
@@ -192,6 +196,14 @@ what_two_groups_share_is_asked_for_once()
     asks_for "test bench" "$tests libbenchmark-dev valgrind"
     asks_for "bench test" "$tests libbenchmark-dev valgrind"
     asks_for "run firmware" "$program $boards python3-venv"
+}
+
+# Ubuntu's chromium is a snap.
+ubuntu_is_asked_for_all_but_the_browser()
+{
+    printf 'NAME="Ubuntu"\nID=ubuntu\nID_LIKE=debian\n' >"$TWIDDLE_OS_RELEASE"
+    asks_for test "${tests/chromium /}"
+    echo 'ID=debian' >"$TWIDDLE_OS_RELEASE"
 }
 
 no_group_is_all_of_them()
@@ -245,6 +257,7 @@ claims=(
     a_machine_without_dpkg_is_told_the_whole_list
     each_group_has_its_own_packages
     what_two_groups_share_is_asked_for_once
+    ubuntu_is_asked_for_all_but_the_browser
     no_group_is_all_of_them
     another_groups_missing_package_is_nobodys_business
     a_group_that_is_not_there_is_wrong_use
