@@ -183,15 +183,14 @@ void require_tips(const RunView &run, const sim::HandModel &hand, const fs::path
     }
 }
 
-void describe(const record::Run &run, RunView &view)
+// What decides the run's numbers, and not the command: wherever a run was done, its page has the same bytes.
+void describe(const record::RunSpecification &what, RunView &view)
 {
-    const record::RunSpecification &what = run.specification;
     view.title =
         what.object + ", " + results::model_text(what.model, what.centre) + ", seed " + std::to_string(what.seed);
     view.facts = {{"object", view.object.name}, {"trials", std::to_string(what.trials)},
                   {"set-up", what.setup},       {"stepper", what.stepper},
-                  {"hand", what.hand},          {"number type", what.number},
-                  {"command", run.command}};
+                  {"hand", what.hand},          {"number type", what.number}};
 }
 
 } // namespace
@@ -213,7 +212,7 @@ RunView read_run_view(const runs::RunFolder &folder, const fs::path &models)
     view.steps = read_steps(path);
     // Motors hold the full hand's other joints, and give way.
     if (run.specification.hand == "welded") require_tips(view, hand, path);
-    describe(run, view);
+    describe(run.specification, view);
     return view;
 }
 

@@ -1,4 +1,4 @@
-// A run's folder and the hand's URDF are enough to draw it: forward kinematics of the test's own, from their texts alone.
+// A run folder and the hand's URDF are enough to draw a run: forward kinematics of the test's own, from their texts.
 #include "../csv_frames.hpp"
 #include "../scratch_folder.hpp"
 #include "program.hpp"

@@ -125,6 +125,20 @@ TEST_F(View, page_holds_the_trajectory)
     }
 }
 
+// Expected: the page of a run does not depend on the folder that it was done in, nor on how that was typed.
+TEST_F(View, page_is_the_same_wherever_the_run_was_done)
+{
+    ASSERT_EQ(run_twiddle("view " + run().string()).status, 0);
+    const std::string here = page();
+    const fs::path elsewhere = folder_.path() / "elsewhere";
+    ASSERT_EQ(run_twiddle("train --seed 1 --model cpg-h --object small-sphere --trials 20 --out " + elsewhere.string())
+                  .status,
+              0);
+    ASSERT_EQ(run_twiddle("replay " + elsewhere.string()).status, 0);
+    ASSERT_EQ(run_twiddle("view " + elsewhere.string()).status, 0);
+    EXPECT_EQ(text_of(elsewhere / "replay.html"), here);
+}
+
 TEST_F(View, two_runs_stand_side_by_side_in_a_file_of_choice)
 {
     const fs::path file = folder_.path() / "both.html";
