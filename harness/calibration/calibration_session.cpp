@@ -227,9 +227,8 @@ void CalibrationSession::write_setup(const Candidate &candidate, const std::file
             std::to_string(cells_.size()) + " cells: " + (distance.pairs < cells_.size() ? "at least " : "") +
             results::fixed(distance.error_rad, 3) + " in rad; " + results::fixed(distance.error_scaled, 3) +
             " over these with one factor of " + results::fixed(distance.scale, 3) + "."};
-    record::PartFile file(path);
-    file.write(calibration::setup_text(plan_.setup.settings, plan_.variables, candidate.values, comments));
-    file.finish();
+    record::write_file(path,
+                       calibration::setup_text(plan_.setup.settings, plan_.variables, candidate.values, comments));
     for (const std::string &comment : comments) {
         std::cout << comment << '\n';
     }

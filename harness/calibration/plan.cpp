@@ -64,9 +64,8 @@ settings::Setup read_base(const ManifestFile &file, const std::filesystem::path 
     if (!changes.is_object()) file.fail_value(own, expected);
     nlohmann::json merged = nlohmann::json::parse(base.settings);
     for (const auto &[name, value] : changes.items()) {
-        const std::size_t dot = name.find('.');
-        if (dot == std::string::npos) file.fail_value(own, expected);
-        merged[name.substr(0, dot)][name.substr(dot + 1)] = value;
+        if (name.find('.') == std::string::npos) file.fail_value(own, expected);
+        settings::put_setting(merged, name, value);
     }
     try {
         return settings::setup_from_settings(merged.dump(), base.name, "settings");

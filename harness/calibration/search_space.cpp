@@ -1,6 +1,7 @@
 #include "search_space.hpp"
 
 #include "record/number_text.hpp"
+#include "settings/toml_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -84,8 +85,7 @@ std::string with_values(const std::string &base_settings, const std::vector<Vari
             set_gains(settings["hand"], values[i].get<double>());
             continue;
         }
-        const std::size_t dot = name.find('.');
-        settings[name.substr(0, dot)][name.substr(dot + 1)] = values[i];
+        settings::put_setting(settings, name, values[i]);
     }
     return settings.dump();
 }

@@ -15,13 +15,6 @@ namespace twiddle::cli
 namespace
 {
 
-void write_file(const std::filesystem::path &path, const std::string &text)
-{
-    record::PartFile file(path);
-    file.write(text);
-    file.finish();
-}
-
 std::string name_for(const ExportOptions &options, const record::RunSpecification &specification)
 {
     const std::string name = options.name.empty() ? engine::skill_name(specification) : options.name;
@@ -51,7 +44,7 @@ int run_command(const ExportOptions &options, const Arguments & /*arguments*/)
     if (options.out.empty()) {
         std::cout << header;
     } else {
-        write_file(options.out, header);
+        record::write_file(options.out, header);
         std::cout << "written: " << options.out << '\n';
     }
     return 0;

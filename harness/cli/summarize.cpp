@@ -20,9 +20,7 @@ namespace
 
 void write_text(const std::filesystem::path &path, const std::string &text)
 {
-    record::PartFile file(path);
-    file.write(text);
-    file.finish();
+    record::write_file(path, text);
     std::cout << path.string() << '\n';
 }
 

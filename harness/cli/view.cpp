@@ -26,9 +26,7 @@ using Page = std::pair<fs::path, std::string>;
 void write_page(const Page &page)
 {
     try {
-        record::PartFile file(page.first);
-        file.write(page.second);
-        file.finish();
+        record::write_file(page.first, page.second);
     } catch (...) {
         std::error_code ignored;
         fs::remove(record::part_path(page.first), ignored);

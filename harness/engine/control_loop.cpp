@@ -1,33 +1,10 @@
 #include "control_loop.hpp"
 
-#include <twiddle/convert.h>
-
-#include <algorithm>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 
 namespace twiddle::engine::TWD_BUILD_NAMESPACE
 {
-
-namespace
-{
-
-using JointNumbers = std::array<twd_num, TWD_MAX_JOINTS>;
-using JointRates = std::array<twd_rate, TWD_MAX_JOINTS>;
-
-static_assert(joint_count <= TWD_MAX_JOINTS, "the library is built for fewer joints than the hand has");
-
-JointVector joint_vector(const JointNumbers &numbers)
-{
-    JointVector vector{};
-    for (std::size_t i = 0; i < joint_count; ++i) {
-        vector[i] = twd_num_to_double(numbers[i]);
-    }
-    return vector;
-}
-
-} // namespace
 
 ControlLoop::ControlLoop(const ControllerSetup &setup)
 {
@@ -39,9 +16,7 @@ ControlLoop::ControlLoop(const ControllerSetup &setup)
 
 void ControlLoop::start(const Parameters &parameters)
 {
-    std::vector<twd_num> numbers;
-    std::transform(parameters.begin(), parameters.end(), std::back_inserter(numbers), twd_num_from_double);
-    start_with(numbers);
+    start_with(library_numbers(parameters));
 }
 
 void ControlLoop::start_with(const std::vector<twd_num> &parameters)
@@ -53,15 +28,11 @@ void ControlLoop::start_with(const std::vector<twd_num> &parameters)
 
 JointCommands ControlLoop::torque(const JointReadings &readings, bool tick)
 {
-    JointNumbers angle_rad{};
-    JointRates velocity_rad_s{};
+    const LibraryReadings numbers = library_readings(readings);
     JointNumbers torque_nm{};
-    for (std::size_t i = 0; i < joint_count; ++i) {
-        angle_rad[i] = twd_num_from_double(readings.angle_rad[i]);
-        velocity_rad_s[i] = twd_rate_from_double(readings.velocity_rad_s[i]);
-    }
     if (tick) twd_controller_tick(&controller_, desired_rad_.data());
-    twd_controller_torque(&controller_, desired_rad_.data(), angle_rad.data(), velocity_rad_s.data(), torque_nm.data());
+    twd_controller_torque(&controller_, desired_rad_.data(), numbers.angle_rad.data(), numbers.velocity_rad_s.data(),
+                          torque_nm.data());
     return {joint_vector(desired_rad_), joint_vector(torque_nm)};
 }
 

@@ -3,6 +3,7 @@
 
 #include "agent.hpp"
 #include "controller_setup.hpp"
+#include "library_numbers.hpp"
 
 #include <twiddle/controller.h>
 
@@ -29,7 +30,7 @@ class ControlLoop : public Controller
   private:
     twd_controller controller_{};
     // Of the last tick.
-    std::array<twd_num, TWD_MAX_JOINTS> desired_rad_{};
+    JointNumbers desired_rad_{};
 };
 
 // The weights of `model`'s own CPGs, as the controller holds them, spread over all three.

@@ -1,14 +1,13 @@
 #include "controller_setup.hpp"
 
 #include "library_models.hpp"
+#include "library_numbers.hpp"
 #include "settings/constants.hpp"
 #include "settings/joints.hpp"
 
-#include <twiddle/convert.h>
 #include <twiddle/icub_right_hand.h>
 #include <twiddle/input_map.h>
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -139,9 +138,7 @@ LearnerInput learner_input(const sim::ObjectSpec &object, const settings::Learne
     if (object.shape == sim::Shape::cube) shape = TWD_SHAPE_CUBE;
     std::array<twd_num, TWD_INPUTS> responses{};
     twd_input_map(shape, num(object.size_m), wide(setup.input_squared_norm), responses.data());
-    LearnerInput input(responses.size());
-    std::transform(responses.begin(), responses.end(), input.begin(), twd_num_to_double);
-    return input;
+    return doubles_of(responses.data(), responses.size(), twd_num_to_double);
 }
 
 } // namespace twiddle::engine::TWD_BUILD_NAMESPACE

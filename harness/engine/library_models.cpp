@@ -14,14 +14,19 @@ const std::array<LibraryModel, 4> &library_models()
     return models;
 }
 
-const twd_model &find_model(const std::string &name)
+const LibraryModel &find_library_model(const std::string &name)
 {
     std::string names;
     for (const LibraryModel &known : library_models()) {
-        if (name == known.model->name) return *known.model;
+        if (name == known.model->name) return known;
         names += (names.empty() ? "" : ", ") + std::string(known.model->name);
     }
     throw std::invalid_argument("unknown model '" + name + "'; the models are " + names);
+}
+
+const twd_model &find_model(const std::string &name)
+{
+    return *find_library_model(name).model;
 }
 
 } // namespace twiddle::engine::TWD_BUILD_NAMESPACE

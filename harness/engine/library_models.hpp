@@ -19,6 +19,7 @@ struct LibraryModel {
 const std::array<LibraryModel, 4> &library_models();
 
 // Throws std::invalid_argument that lists the known names.
+const LibraryModel &find_library_model(const std::string &name);
 const twd_model &find_model(const std::string &name);
 
 } // namespace twiddle::engine::TWD_BUILD_NAMESPACE

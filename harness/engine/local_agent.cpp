@@ -1,9 +1,9 @@
 // The library's engine: an agent of its controller and its learner, in this process.
 #include "control_loop.hpp"
 #include "controller_setup.hpp"
+#include "library_numbers.hpp"
 #include "number_engines.hpp"
 
-#include <twiddle/convert.h>
 #include <twiddle/learner.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class LocalAgent : public Agent
 
     TrialStart act(const LearnerInput &input) override
     {
-        twd_learner_act(&learner_, numbers(input).data(), parameters_.data());
+        twd_learner_act(&learner_, library_numbers(input).data(), parameters_.data());
         loop_.start_with(parameters_);
         return {twd_wide_to_double(learner_.value), twd_num_to_double(learner_.noise), loop_.weights()};
     }
@@ -51,33 +51,18 @@ class LocalAgent : public Agent
         LearnerState state;
         state.trials = learner_.trial;
         std::vector<twd_num> policy(learner_.config.units);
-        twd_learner_policy(&learner_, numbers(input).data(), policy.data());
-        state.policy = doubles(policy.data(), policy.size());
+        twd_learner_policy(&learner_, library_numbers(input).data(), policy.data());
+        state.policy = doubles_of(policy.data(), policy.size(), twd_num_to_double);
         const std::size_t inputs = learner_.config.inputs;
         for (std::size_t unit = 0; unit < learner_.config.units; ++unit) {
-            state.actor_weights.push_back(doubles(learner_.actor.weight[unit], inputs));
+            state.actor_weights.push_back(doubles_of(learner_.actor.weight[unit], inputs, twd_num_to_double));
         }
-        std::transform(learner_.critic.weight, learner_.critic.weight + inputs,
-                       std::back_inserter(state.critic_weights), twd_wide_to_double);
+        state.critic_weights = doubles_of(learner_.critic.weight, inputs, twd_wide_to_double);
         std::copy(std::begin(learner_.random.state), std::end(learner_.random.state), state.random_state.begin());
         return state;
     }
 
   private:
-    static std::vector<twd_num> numbers(const std::vector<double> &values)
-    {
-        std::vector<twd_num> numbers(values.size());
-        std::transform(values.begin(), values.end(), numbers.begin(), twd_num_from_double);
-        return numbers;
-    }
-
-    static std::vector<double> doubles(const twd_num *numbers, std::size_t count)
-    {
-        std::vector<double> values(count);
-        std::transform(numbers, numbers + count, values.begin(), twd_num_to_double);
-        return values;
-    }
-
     ControlLoop loop_;
     twd_learner learner_{};
     std::vector<twd_num> parameters_; // of the current trial

@@ -4,9 +4,8 @@
 #include "configured_chip_agent.hpp"
 #include "engine/control_loop.hpp"
 #include "engine/controller_setup.hpp"
+#include "engine/library_numbers.hpp"
 #include "frame_link.hpp"
-
-#include <twiddle/convert.h>
 
 #include <algorithm>
 #include <array>
@@ -23,24 +22,7 @@ namespace
 {
 
 using engine::LearnerInput;
-using engine::TWD_BUILD_NAMESPACE::expert_weights;
-
-// The library's numbers of `values`.
-std::vector<twd_num> numbers(const std::vector<double> &values)
-{
-    std::vector<twd_num> numbers(values.size());
-    std::transform(values.begin(), values.end(), numbers.begin(), twd_num_from_double);
-    return numbers;
-}
-
-// The doubles that `numbers` stand for.
-template <class Number, class ToDouble>
-std::vector<double> doubles(const std::vector<Number> &numbers, ToDouble to_double)
-{
-    std::vector<double> values(numbers.size());
-    std::transform(numbers.begin(), numbers.end(), values.begin(), to_double);
-    return values;
-}
+using namespace engine::TWD_BUILD_NAMESPACE;
 
 // A request, whose payload is written by one call after another.
 class Request
@@ -96,7 +78,7 @@ class ChipAgent : public engine::Agent
         twd_trial_start start{};
         const twd_model &model = *config_.controller.model;
         Request request;
-        request.words(numbers(input).data(), config_.learner.inputs);
+        request.words(library_numbers(input).data(), config_.learner.inputs);
         ask(TWD_REQUEST_ACT, request,
             [&](twd_transfer *answer) { twd_transfer_trial_start(answer, &start, model.cpgs); });
         return {twd_wide_to_double(start.value), twd_num_to_double(start.noise), expert_weights(model, start.weight)};
@@ -104,27 +86,17 @@ class ChipAgent : public engine::Agent
 
     engine::JointCommands torque(const engine::JointReadings &readings, bool tick) override
     {
-        std::array<twd_num, joint_count> angle_rad{};
-        std::array<twd_rate, joint_count> velocity_rad_s{};
-        std::array<twd_num, joint_count> torque_nm{};
-        for (std::size_t i = 0; i < joint_count; ++i) {
-            angle_rad[i] = twd_num_from_double(readings.angle_rad[i]);
-            velocity_rad_s[i] = twd_rate_from_double(readings.velocity_rad_s[i]);
-        }
+        const LibraryReadings numbers = library_readings(readings);
+        JointNumbers torque_nm{};
         Request request;
         request.word(tick ? TWD_SUBSTEP_TICK : 0U)
-            .words(angle_rad.data(), joint_count)
-            .words(velocity_rad_s.data(), joint_count);
+            .words(numbers.angle_rad.data(), joint_count)
+            .words(numbers.velocity_rad_s.data(), joint_count);
         ask(TWD_REQUEST_SUBSTEP, request, [&](twd_transfer *answer) {
             twd_transfer_words(answer, torque_nm.data(), joint_count);
             if (tick) twd_transfer_words(answer, desired_rad_.data(), joint_count);
         });
-        engine::JointCommands commands;
-        for (std::size_t i = 0; i < joint_count; ++i) {
-            commands.desired_rad[i] = twd_num_to_double(desired_rad_[i]);
-            commands.torque_nm[i] = twd_num_to_double(torque_nm[i]);
-        }
-        return commands;
+        return {joint_vector(desired_rad_), joint_vector(torque_nm)};
     }
 
     double learn(double reward) override
@@ -142,16 +114,15 @@ class ChipAgent : public engine::Agent
         const std::size_t inputs = config_.learner.inputs;
         engine::LearnerState state;
         Request policy;
-        policy.words(numbers(input).data(), inputs);
-        state.policy = doubles(ask_for<twd_num>(TWD_REQUEST_POLICY, policy, config_.learner.units), twd_num_to_double);
+        policy.words(library_numbers(input).data(), inputs);
+        state.policy = ask_for<twd_num>(TWD_REQUEST_POLICY, policy, config_.learner.units, twd_num_to_double);
         for (std::uint32_t unit = 0; unit < config_.learner.units; ++unit) {
             Request actor;
             actor.word(unit);
-            state.actor_weights.push_back(
-                doubles(ask_for<twd_num>(TWD_REQUEST_ACTOR, actor, inputs), twd_num_to_double));
+            state.actor_weights.push_back(ask_for<twd_num>(TWD_REQUEST_ACTOR, actor, inputs, twd_num_to_double));
         }
         Request critic;
-        state.critic_weights = doubles(ask_for<twd_wide>(TWD_REQUEST_CRITIC, critic, inputs), twd_wide_to_double);
+        state.critic_weights = ask_for<twd_wide>(TWD_REQUEST_CRITIC, critic, inputs, twd_wide_to_double);
         twd_agent_state counters{};
         Request rest;
         ask(TWD_REQUEST_STATE, rest, [&](twd_transfer *answer) { twd_transfer_state(answer, &counters); });
@@ -175,11 +146,13 @@ class ChipAgent : public engine::Agent
         ask(type, request, [](twd_transfer *) {});
     }
 
-    template <class Word> std::vector<Word> ask_for(twd_request type, Request &request, std::size_t count)
+    // Numbers of the library, of which `to_double` takes one.
+    template <class Word, class ToDouble>
+    std::vector<double> ask_for(twd_request type, Request &request, std::size_t count, ToDouble to_double)
     {
         std::vector<Word> words(count);
         ask(type, request, [&](twd_transfer *answer) { twd_transfer_words(answer, words.data(), count); });
-        return words;
+        return doubles_of(words.data(), count, to_double);
     }
 
     [[noreturn]] void fail_strange() const
@@ -235,14 +208,13 @@ class ChipAgent : public engine::Agent
 
     FrameLink link_;
     ChipConfig config_;
-    std::array<twd_num, joint_count> desired_rad_{}; // of the last tick
+    JointNumbers desired_rad_{}; // of the last tick
 };
 
 } // namespace
 
 ChipConfig chip_config(const engine::AgentSetup &setup)
 {
-    using namespace engine::TWD_BUILD_NAMESPACE;
     return {setup.controller.setup.name, controller_config(setup.controller), learner_config(setup)};
 }
 

@@ -29,9 +29,7 @@ Json read_json(const std::filesystem::path &path)
 
 void write_json(const std::filesystem::path &path, const Json &value)
 {
-    PartFile file(path);
-    file.write(value.dump(2) + "\n");
-    file.finish();
+    write_file(path, value.dump(2) + "\n");
 }
 
 } // namespace twiddle::record

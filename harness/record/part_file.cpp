@@ -68,4 +68,11 @@ void PartFile::check()
     throw std::runtime_error("cannot write '" + part_path(path_).string() + "'" + reason);
 }
 
+void write_file(const std::filesystem::path &path, std::string_view text)
+{
+    PartFile file(path);
+    file.write(text);
+    file.finish();
+}
+
 } // namespace twiddle::record

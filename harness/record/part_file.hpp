@@ -41,4 +41,7 @@ class PartFile
     std::ofstream file_;
 };
 
+// Write `text` as the file `path`. Throws as PartFile does.
+void write_file(const std::filesystem::path &path, std::string_view text);
+
 } // namespace twiddle::record

@@ -99,4 +99,10 @@ nlohmann::json toml_value(const std::string &text)
     throw std::runtime_error(quoted + " is not one TOML value");
 }
 
+void put_setting(nlohmann::json &settings, const std::string &name, const nlohmann::json &value)
+{
+    const std::size_t dot = name.find('.');
+    settings[name.substr(0, dot)][name.substr(dot + 1)] = value;
+}
+
 } // namespace twiddle::settings

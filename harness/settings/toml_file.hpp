@@ -26,4 +26,7 @@ TomlFile read_toml_with_lines(const std::filesystem::path &path);
 // neither.
 nlohmann::json toml_value(const std::string &text);
 
+// Put `value` among merged settings, where `name`, "section.key", stands.
+void put_setting(nlohmann::json &settings, const std::string &name, const nlohmann::json &value);
+
 } // namespace twiddle::settings

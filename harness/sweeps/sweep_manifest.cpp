@@ -130,8 +130,7 @@ class Planner
                            "variant \"" + name + "\" has another set than before; expected the same");
         json merged = json::parse(plan_.common.settings);
         for (const auto &[setting, value] : changes.items()) {
-            const std::size_t dot = setting.find('.');
-            merged[setting.substr(0, dot)][setting.substr(dot + 1)] = value;
+            settings::put_setting(merged, setting, value);
         }
         try {
             return settings::setup_from_settings(merged.dump(), plan_.common.setup, "set").settings;

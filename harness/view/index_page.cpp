@@ -52,13 +52,6 @@ double largest_turn_rad(const SweepView &sweep)
     return largest_rad;
 }
 
-std::string with_two_digits(double value)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.2f", value);
-    return text.data();
-}
-
 // White at 0; towards blue with the counted turn, towards orange against it. The two differ in every common kind of
 // colour blindness, and both in lightness from white.
 std::string style_of(double share)
@@ -80,10 +73,10 @@ std::string cell_html(const IndexCell &cell, double largest_rad)
 {
     if (!cell.fault.empty()) return "<td title=\"" + html_text(cell.fault) + "\">fault</td>";
     if (!cell.rotation_rad) return "<td class=\"none\">not complete</td>";
-    const std::string number = with_two_digits(*cell.rotation_rad);
+    const std::string number = results::fixed(*cell.rotation_rad, 2);
     const std::string share_style = style_of(largest_rad > 0 ? *cell.rotation_rad / largest_rad : 0);
     std::string title = cell.run.folder;
-    if (cell.trained_rad) title += ": mean of the last trials " + with_two_digits(*cell.trained_rad) + " rad";
+    if (cell.trained_rad) title += ": mean of the last trials " + results::fixed(*cell.trained_rad, 2) + " rad";
     const std::string text =
         cell.has_page ? "<a href=\"" + html_text(link_text(cell.run.folder + "/replay.html")) + "\">" + number + "</a>"
                       : number;
@@ -137,7 +130,7 @@ std::string index_page(const SweepView &sweep)
         std::count_if(sweep.cells.begin(), sweep.cells.end(), [](const IndexCell &cell) { return cell.has_page; }));
     return filled_page(index_html, {{"TITLE", html_text(sweep.name)},
                                     {"COUNT", std::to_string(pages) + " of " + std::to_string(sweep.cells.size())},
-                                    {"MOST", with_two_digits(largest_rad)},
+                                    {"MOST", results::fixed(largest_rad, 2)},
                                     {"VERSION", html_text(sweep.version)},
                                     {"TABLE", table + "</tbody>\n"}});
 }

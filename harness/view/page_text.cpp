@@ -1,5 +1,7 @@
 #include "page_text.hpp"
 
+#include "record/text.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -14,15 +16,6 @@ bool is_plain(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.' ||
            c == '_' || c == '/';
-}
-
-// `text` with each `from` as `to`.
-std::string with_replaced(std::string text, std::string_view from, std::string_view to)
-{
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
-        text.replace(at, from.size(), to);
-    }
-    return text;
 }
 
 } // namespace
@@ -64,9 +57,9 @@ std::string link_text(std::string_view path)
 std::string script_json(const record::Json &value)
 {
     std::string text = value.dump(-1, ' ', false, record::Json::error_handler_t::replace);
-    text = with_replaced(text, "<", "\\u003c");
-    text = with_replaced(text, "\u2028", "\\u2028"); // ends a line in some readers of JavaScript
-    return with_replaced(text, "\u2029", "\\u2029");
+    text = record::with_replaced(text, "<", "\\u003c");
+    text = record::with_replaced(text, "\u2028", "\\u2028"); // ends a line in some readers of JavaScript
+    return record::with_replaced(text, "\u2029", "\\u2029");
 }
 
 std::string filled_page(std::string_view page, const std::map<std::string, std::string> &texts)

@@ -44,16 +44,18 @@ function show_numbers() {
   });
 }
 
-// Rotation over time, and below it a band a finger that is filled where it touches.
-const LEFT = 64, RIGHT = 22, BAND = 12;
-function show_chart() {
+// Rotation over time, and below it a band a finger that is filled where it touches: drawn once a size of the page, and
+// shown with the step's mark over it.
+const LEFT = 64, RIGHT = 22, BAND = 12, drawn = el('canvas', '');
+const chart_x = (width, step) => LEFT + (width - LEFT - RIGHT) * step / steps;
+function draw_chart() {
   const canvas = get('chart'), scale = devicePixelRatio || 1, w = canvas.clientWidth, h = canvas.clientHeight;
-  Object.assign(canvas, {width: w * scale, height: h * scale});
-  const c = canvas.getContext('2d'), bottom = h - 24 - runs.length * 2 * (BAND + 2);
+  for (const each of [canvas, drawn]) Object.assign(each, {width: w * scale, height: h * scale});
+  const c = drawn.getContext('2d'), bottom = h - 24 - runs.length * 2 * (BAND + 2);
   c.scale(scale, scale);
   c.font = '11px system-ui,sans-serif';
   const all = runs.flatMap(run => run.rotation), most = Math.max(.1, ...all), least = Math.min(0, ...all);
-  const x = step => LEFT + (w - LEFT - RIGHT) * step / steps;
+  const x = step => chart_x(w, step);
   const y = a => bottom - (bottom - 8) * (a - least) / (most - least);
   const text = (words, at, height, align) =>
     Object.assign(c, {fillStyle: '#555', textAlign: align}).fillText(words, at, height);
@@ -86,7 +88,14 @@ function show_chart() {
       c.globalAlpha = 1;
     });
   });
-  Object.assign(c, {fillStyle: '#D55E00'}).fillRect(x(now) - 1, 2, 2, h - 22);
+}
+function show_chart() {
+  const canvas = get('chart'), w = canvas.clientWidth, scale = devicePixelRatio || 1, c = canvas.getContext('2d');
+  c.setTransform(1, 0, 0, 1, 0, 0);
+  c.clearRect(0, 0, canvas.width, canvas.height);
+  c.drawImage(drawn, 0, 0);
+  c.scale(scale, scale);
+  Object.assign(c, {fillStyle: '#D55E00'}).fillRect(chart_x(w, now) - 1, 2, 2, canvas.clientHeight - 22);
 }
 
 let now = 1, playing = false, carried_s = 0, last_ms = 0;
@@ -138,6 +147,10 @@ get('play').onclick = () => {
 };
 addEventListener('hashchange', step_of_address);
 addEventListener('resize', show);
+new ResizeObserver(() => {
+  draw_chart();
+  show_chart();
+}).observe(get('chart'));
 const chart_step = event => (event.offsetX - LEFT) / (get('chart').clientWidth - LEFT - RIGHT) * steps;
 get('chart').onpointerdown = event => step_by_hand(chart_step(event));
 get('chart').onpointermove = event => event.buttons && step_by_hand(chart_step(event));
@@ -182,5 +195,6 @@ window.twiddle = {
     return [(1 + of(0) / of(3)) / 2 * canvas.clientWidth, (1 - of(1) / of(3)) / 2 * canvas.clientHeight];
   }
 };
+draw_chart();
 show();
 if (!step_of_address() && !matchMedia('(prefers-reduced-motion: reduce)').matches) set_playing(true);

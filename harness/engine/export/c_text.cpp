@@ -1,6 +1,7 @@
 #include "c_text.hpp"
 
 #include "record/number_text.hpp"
+#include "record/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -55,13 +56,6 @@ bool is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-void replace_all(std::string &text, const std::string &from, const std::string &to)
-{
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
-        text.replace(at, from.size(), to);
-    }
-}
-
 } // namespace
 
 bool fixed_build_reaches(CType type, double value)
@@ -97,9 +91,7 @@ std::string c_comment_text(std::string text)
 {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-    replace_all(text, "*/", "* /");
-    replace_all(text, "/*", "/ *");
-    return text;
+    return record::with_replaced(record::with_replaced(text, "*/", "* /"), "/*", "/ *");
 }
 
 std::string fill(const std::string &layout, const std::map<std::string, std::string> &fields)

@@ -262,14 +262,6 @@ void add_learned(Fields &fields, const record::Policy &policy, Constants &consta
     fields["trials_learned"] = std::to_string(policy.trials);
 }
 
-std::string c_name(const std::string &model)
-{
-    const auto &models = library_models();
-    return std::find_if(models.begin(), models.end(),
-                        [&](const LibraryModel &each) { return each.model->name == model; })
-        ->c_name;
-}
-
 } // namespace
 
 std::string skill_name(const record::RunSpecification &specification)
@@ -298,7 +290,7 @@ std::string skill_header(const std::string &name, const record::RunSpecification
     const Engine &engine = engine_of_number(specification.number);
     const sim::ObjectSpec object = sim::read_object(models_dir, specification.object);
     fields["input"] = constant.list(CType::num, engine.learner_input(object, setup.learner));
-    fields["model"] = c_name(specification.model);
+    fields["model"] = find_library_model(specification.model).c_name;
     fields["with_centre"] = specification.centre ? "true" : "false";
     fields["beyond"] = "";
     if (!constant.beyond().empty())

@@ -4,6 +4,7 @@
 
 #include "engine/controller_setup.hpp"
 #include "engine/library_models.hpp"
+#include "engine/library_numbers.hpp"
 #include "record/csv_columns.hpp"
 #include "record/policy_json.hpp"
 #include "record/run_json.hpp"
@@ -133,14 +134,6 @@ TEST(Export, skill_moves_as_the_replay)
     }
 }
 
-// The library's numbers of `values`.
-std::vector<twd_num> numbers(const std::vector<double> &values)
-{
-    std::vector<twd_num> numbers(values.size());
-    std::transform(values.begin(), values.end(), numbers.begin(), twd_num_from_double);
-    return numbers;
-}
-
 // The learner as it is after the run's trials, from its seed and the rotations that it was rewarded for.
 twd_learner trained_again(const exported &run, const std::vector<twd_num> &input)
 {
@@ -169,7 +162,7 @@ TEST(Export, learner_goes_on_as_the_runs)
         const record::RunSpecification specification = specification_of(run);
         const settings::LearnerSetup learner = setup_of(specification).learner;
         const std::vector<twd_num> input =
-            numbers(learner_input(sim::read_object(TWIDDLE_MODELS, specification.object), learner));
+            library_numbers(learner_input(sim::read_object(TWIDDLE_MODELS, specification.object), learner));
         twd_learner theirs = trained_again(run, input);
         twd_learner ours{};
         ASSERT_EQ(twd_learner_restore(&ours, run.learner), TWD_OK);
