@@ -9,6 +9,8 @@
 // Sorensen 1983).
 #pragma once
 
+#include "fast/lanes.hpp"
+
 #include <array>
 
 namespace twiddle::sim
@@ -18,12 +20,27 @@ namespace twiddle::sim
 using ContactVector = std::array<double, 3>;
 using ContactMatrix = std::array<ContactVector, 3>;
 
+// The same, with the tangential ones in lanes.
+struct ContactPair {
+    double normal = 0;
+    Pair tangential{};
+};
+
+// W, which is symmetric, with the tangential rows in lanes.
+struct InverseMass {
+    double normal = 0; // its first entry
+    Pair coupled{};    // the rest of its first row
+    Pair tangential{}; // the rest of its diagonal
+    double across = 0; // between the tangential directions
+};
+
 class CoulombContact
 {
   public:
     CoulombContact() = default;
 
-    // `inverse_mass` is W: symmetric, positive semi-definite, its normal entry > 0. `friction` is mu >= 0.
+    // `inverse_mass` is W: positive semi-definite, its normal entry > 0. `friction` is mu >= 0.
+    CoulombContact(const InverseMass &inverse_mass, double friction);
     CoulombContact(const ContactMatrix &inverse_mass, double friction);
 
     // The impulse that obeys both laws for the velocity `b`; a sliding one meets the cone within 1e-10 of the impulse
@@ -36,18 +53,27 @@ class CoulombContact
         return solve(b, multiplier);
     }
 
-    const ContactMatrix &inverse_mass() const
+    // The principal axes of A, in which a contact is solved again and again for less. What has tangential parts is turned
+    // there and back.
+    Pair to_axes(Pair tangential) const
     {
-        return inverse_mass_;
+        return tangential * cosine_ + swapped(tangential) * Pair{sine_, -sine_};
     }
+    Pair from_axes(Pair along_axes) const
+    {
+        return along_axes * cosine_ + swapped(along_axes) * Pair{-sine_, sine_};
+    }
+
+    // The impulse, in these axes, where `velocity` is the velocity with the impulse `present` at work.
+    ContactPair solve_along_axes(const ContactPair &velocity, const ContactPair &present, double &multiplier) const;
 
   private:
     // The impulse for one multiplier.
     struct Trial {
-        std::array<double, 2> tangential;
+        Pair inverse; // of A + lambda I
+        Pair tangential;
         double size; // |p_t|
         double normal;
-        std::array<double, 2> solved; // (A + lambda I)^-1 p_t: minus the slope of p_t
 
         // Positive outside the cone.
         double excess(double friction) const
@@ -55,15 +81,18 @@ class CoulombContact
             return size - friction * normal;
         }
     };
-    Trial try_multiplier(double lambda, double normal_alone, const std::array<double, 2> &c) const;
+    Trial try_multiplier(double lambda, double normal_alone, Pair c) const;
     // Newton's step of the multiplier.
     double newton_step(const Trial &trial) const;
+    // The root, held in a bracket from wherever Newton's steps went.
+    Trial search(double normal_alone, Pair c, double &multiplier) const;
 
-    ContactMatrix inverse_mass_{};
     double friction_ = 0;
-    std::array<double, 3> schur_{};    // A: entries 11, 12, 22
-    std::array<double, 2> coupling_{}; // W's normal-tangential entries over its normal one
-    double inverse_normal_ = 0;        // 1 / W's normal entry
+    double cosine_ = 1, sine_ = 0; // of A's first axis
+    // All in A's axes.
+    Pair schur_{};              // A's diagonal
+    Pair coupling_{};           // W's normal-tangential entries over its normal one
+    double inverse_normal_ = 0; // 1 / W's normal entry
 };
 
 } // namespace twiddle::sim

@@ -45,15 +45,26 @@ class TriedRegimes
     std::array<bool, 3> tried_{};
 };
 
-// What the contacts' impulses alone would do to the velocities.
-Velocities pushed(const Contacts &contacts)
+// What the contacts' impulses alone would do to the object's velocity.
+double push_on_object(const Contacts &contacts)
 {
-    Velocities sum;
+    double sum = 0;
     for (const Contact &contact : contacts) {
+        for (int i = 0; i < 3; i++)
+            sum += contact.object_row[i] * contact.solution.impulse_ns[i];
+    }
+    return sum;
+}
+
+// And to a finger's.
+FingerVector push_on_finger(const Contacts &contacts, int finger)
+{
+    FingerVector sum{};
+    for (const Contact &contact : contacts) {
+        if (contact.finger != finger) continue;
         for (int i = 0; i < 3; i++) {
-            sum.finger[contact.finger][0] += contact.finger_row[i][0] * contact.solution.impulse_ns[i];
-            sum.finger[contact.finger][1] += contact.finger_row[i][1] * contact.solution.impulse_ns[i];
-            sum.object += contact.object_row[i] * contact.solution.impulse_ns[i];
+            sum[0] += contact.finger_row[i][0] * contact.solution.impulse_ns[i];
+            sum[1] += contact.finger_row[i][1] * contact.solution.impulse_ns[i];
         }
     }
     return sum;
@@ -72,12 +83,33 @@ HeldJoints united(const HeldJoints &held, const HeldJoints &passed)
 
 } // namespace
 
-Velocities ConstraintSearch::solve(const std::array<FingerState, 2> &state, const Velocities &free, Contacts &contacts,
-                                   Holds &holds)
+BothFingers in_lanes(const std::array<FingerState, 2> &state)
 {
-    std::array<ContactSolution, most_contacts> guess;
-    for (int k = 0; k < contacts.size(); k++)
-        guess[k] = contacts[k].solution;
+    BothFingers both;
+    both.mass.coupling = Pair{state[0].mass.coupling, state[1].mass.coupling};
+    for (int j = 0; j < 2; j++) {
+        both.angle_rad[j] = Pair{state[0].angle_rad[j], state[1].angle_rad[j]};
+        both.mass.root[j] = Pair{state[0].mass.root[j], state[1].mass.root[j]};
+        both.mass.inverse_root[j] = Pair{state[0].mass.inverse_root[j], state[1].mass.inverse_root[j]};
+    }
+    return both;
+}
+
+ConstraintSearch::ConstraintSearch(const ContactSolver &solver, const HingeFriction &hinge,
+                                   const std::array<JointStops, 2> &stops, double substep_s)
+    : solver_(solver), hinge_(hinge), stops_(stops), substep_s_(substep_s)
+{
+    for (int j = 0; j < 2; j++) {
+        lower_rad_[j] = Pair{stops[0].lower_rad()[j], stops[1].lower_rad()[j]};
+        upper_rad_[j] = Pair{stops[0].upper_rad()[j], stops[1].upper_rad()[j]};
+    }
+}
+
+Velocities ConstraintSearch::solve(const BothFingers &state, const Velocities &free, Contacts &contacts, Holds &holds)
+{
+    guess_.clear();
+    for (const Contact &contact : contacts)
+        guess_.add(contact.solution);
     TriedRegimes tried;
     for (int i = 0;; i++) {
         const Velocities found = attempt(state, free, holds, contacts);
@@ -100,12 +132,12 @@ Velocities ConstraintSearch::solve(const std::array<FingerState, 2> &state, cons
         }
         holds = next;
         for (int k = 0; k < contacts.size(); k++)
-            contacts[k].solution = guess[k]; // impulses of a refuted choice can be of any size
+            contacts[k].solution = guess_[k]; // impulses of a refuted choice can be of any size
     }
 }
 
-Velocities ConstraintSearch::attempt(const std::array<FingerState, 2> &state, const Velocities &free,
-                                     const Holds &holds, Contacts &contacts)
+Velocities ConstraintSearch::attempt(const BothFingers &state, const Velocities &free, const Holds &holds,
+                                     Contacts &contacts)
 {
     Regime regime;
     Velocities velocities = free;
@@ -113,36 +145,53 @@ Velocities ConstraintSearch::attempt(const std::array<FingerState, 2> &state, co
     velocities.object = hinge_.start(holds.hinge, free.object);
     for (int f = 0; f < 2; f++) {
         if (!any_held(holds.finger[f])) continue;
-        regime.finger[f] = JointStops::freedom(holds.finger[f], state[f].mass);
+        const FingerState finger = state.finger(f);
+        regime.finger[f] = JointStops::freedom(holds.finger[f], finger.mass);
         velocities.finger[f] =
-            stops_[f].start(holds.finger[f], state[f].angle_rad, state[f].mass, regime.finger[f], free.finger[f]);
+            stops_[f].start(holds.finger[f], finger.angle_rad, finger.mass, regime.finger[f], free.finger[f]);
     }
     solver_.solve(regime, contacts, velocities);
     return velocities;
 }
 
-Holds ConstraintSearch::judge(const std::array<FingerState, 2> &state, const Velocities &free, const Velocities &found,
+Holds ConstraintSearch::judge(const BothFingers &state, const Velocities &free, const Velocities &found,
                               const Contacts &contacts, const Holds &holds) const
 {
-    const Velocities push = pushed(contacts);
     Holds next;
-    next.hinge = hinge_.judge(holds.hinge, free.object + push.object, found.object);
+    // Only a hinge that is held asks what pushes it.
+    const double push = holds.hinge == HingeRegime::held ? push_on_object(contacts) : 0;
+    next.hinge = hinge_.judge(holds.hinge, free.object + push, found.object);
+    if (!any_held(holds.finger[0]) && !any_held(holds.finger[1]) && stay_between_stops(state, found)) return next;
     for (int f = 0; f < 2; f++) {
+        const FingerState finger = state.finger(f);
         // A joint that was held moves exactly as its stop lets it, and cannot be said to pass it.
-        HeldJoints passed = stops_[f].passed(state[f].angle_rad, state[f].mass.velocity(found.finger[f]));
+        HeldJoints passed = stops_[f].passed(finger.angle_rad, finger.mass.velocity(found.finger[f]));
         HeldJoints held = holds.finger[f];
         for (int j = 0; j < 2; j++) {
             if (held[j] != Stop::none) passed[j] = Stop::none;
         }
         if (any_held(held)) {
+            const FingerVector pushed = push_on_finger(contacts, f);
             FingerVector by_stops;
             for (int j = 0; j < 2; j++)
-                by_stops[j] = found.finger[f][j] - free.finger[f][j] - push.finger[f][j];
-            held = JointStops::pushing(held, state[f].mass.impulse(by_stops));
+                by_stops[j] = found.finger[f][j] - free.finger[f][j] - pushed[j];
+            held = JointStops::pushing(held, finger.mass.impulse(by_stops));
         }
         next.finger[f] = united(held, passed);
     }
     return next;
+}
+
+bool ConstraintSearch::stay_between_stops(const BothFingers &state, const Velocities &found) const
+{
+    const FingerVectorOf<Pair> velocity_rad_s = state.mass.velocity(in_lanes(found.finger));
+    PairBits between = ~PairBits{};
+    for (int j = 0; j < 2; j++) {
+        const Pair angle_rad = state.angle_rad[j], after_rad = angle_rad + substep_s_ * velocity_rad_s[j];
+        between &= reinterpret_cast<PairBits>((angle_rad > lower_rad_[j]) & (after_rad > lower_rad_[j]) &
+                                              (angle_rad < upper_rad_[j]) & (after_rad < upper_rad_[j]));
+    }
+    return (between[0] & between[1]) != 0;
 }
 
 } // namespace twiddle::sim

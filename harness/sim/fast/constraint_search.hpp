@@ -28,32 +28,48 @@ struct Holds {
 // A finger at the start of a substep.
 struct FingerState {
     FingerVector angle_rad{};
-    std::array<SineCosine, 2> angle;
     MassFactor mass;
 };
+
+// Both fingers, in lanes.
+struct BothFingers {
+    FingerVectorOf<Pair> angle_rad{};
+    MassFactorOf<Pair> mass;
+
+    FingerState finger(int f) const
+    {
+        return {
+            {angle_rad[0][f], angle_rad[1][f]},
+            {mass.coupling[f], {mass.root[0][f], mass.root[1][f]}, {mass.inverse_root[0][f], mass.inverse_root[1][f]}}};
+    }
+};
+
+BothFingers in_lanes(const std::array<FingerState, 2> &state);
 
 class ConstraintSearch
 {
   public:
-    ConstraintSearch(const ContactSolver &solver, const HingeFriction &hinge, const std::array<JointStops, 2> &stops)
-        : solver_(solver), hinge_(hinge), stops_(stops)
-    {
-    }
+    ConstraintSearch(const ContactSolver &solver, const HingeFriction &hinge, const std::array<JointStops, 2> &stops,
+                     double substep_s);
 
     // Velocities after the substep from `free`, those without contacts, stops and hinge friction. Solves for
     // the impulses in `contacts`; what they hold is the first guess. `holds` is the first choice and becomes
     // the one that was found.
-    Velocities solve(const std::array<FingerState, 2> &state, const Velocities &free, Contacts &contacts, Holds &holds);
+    Velocities solve(const BothFingers &state, const Velocities &free, Contacts &contacts, Holds &holds);
 
   private:
-    Velocities attempt(const std::array<FingerState, 2> &state, const Velocities &free, const Holds &holds,
-                       Contacts &contacts);
-    Holds judge(const std::array<FingerState, 2> &state, const Velocities &free, const Velocities &found,
-                const Contacts &contacts, const Holds &holds) const;
+    Velocities attempt(const BothFingers &state, const Velocities &free, const Holds &holds, Contacts &contacts);
+    Holds judge(const BothFingers &state, const Velocities &free, const Velocities &found, const Contacts &contacts,
+                const Holds &holds) const;
+    // Whether all joints are between their stops and stay there, which is so nearly always.
+    bool stay_between_stops(const BothFingers &state, const Velocities &found) const;
 
     ContactSolver solver_;
     HingeFriction hinge_;
     std::array<JointStops, 2> stops_;
+    double substep_s_;
+    FingerVectorOf<Pair> lower_rad_, upper_rad_;      // the stops, in lanes
+    ShortList<ContactSolution, most_contacts> guess_; // of the present call
 };
 
 } // namespace twiddle::sim

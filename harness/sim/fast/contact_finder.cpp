@@ -15,28 +15,30 @@ constexpr double reserve_m = 0.001;
 // Contacts of a finger nearer to each other than this are one: neighbouring capsules share an end sphere.
 constexpr double same_contact_m = 1e-4;
 
-// A vector or a frame, seen from axes turned by `angle` about z.
-btVector3 turned_back(const SineCosine &angle, const btVector3 &v)
+// More than all roundings of what a finger has travelled in a trial.
+constexpr double rounding_m = 1e-9;
+
+// A vector turned by `angle` about z; with the opposite sine, turned back.
+Vector turned(const SineCosine &angle, const Vector &v)
 {
-    return {angle.cosine * v.x() + angle.sine * v.y(), angle.cosine * v.y() - angle.sine * v.x(), v.z()};
+    return {angle.cosine * v.x - angle.sine * v.y, angle.sine * v.x + angle.cosine * v.y, v.z};
 }
 
-Frame turned_back(const SineCosine &angle, const Frame &frame)
+// Two unit vectors across `normal`, in lanes; the first is level.
+PairVector tangents(const Vector &normal)
 {
-    return {turned_back(angle, frame.origin_m), turned_back(angle, frame.x), turned_back(angle, frame.y),
-            turned_back(angle, frame.z)};
+    const double across = std::sqrt(normal.x * normal.x + normal.y * normal.y);
+    if (across < 1e-6) return {Pair{1, 0}, Pair{0, std::copysign(1, normal.z)}, Pair{0, 0}};
+    const double inverse = 1 / across, x = -normal.y * inverse, y = normal.x * inverse;
+    return {Pair{x, -normal.z * y}, Pair{y, normal.z * x}, Pair{0, across}};
 }
 
-// Two unit vectors across `normal`; the first is level.
-std::array<btVector3, 2> tangents(const btVector3 &normal)
+PairVector in_both_lanes(const Vector &v)
 {
-    const double across = std::sqrt(normal.x() * normal.x() + normal.y() * normal.y());
-    if (across < 1e-6) return {btVector3(1, 0, 0), normal.cross(btVector3(1, 0, 0)).normalized()};
-    const btVector3 level(-normal.y() / across, normal.x() / across, 0);
-    return {level, normal.cross(level)};
+    return pair_of(v, v);
 }
 
-bool has_contact_at(const Contacts &contacts, int finger, const btVector3 &p_axis_m)
+bool has_contact_at(const Contacts &contacts, int finger, const Vector &p_axis_m)
 {
     for (const Contact &contact : contacts) {
         if (contact.finger == finger && (contact.p_axis_m - p_axis_m).length2() < same_contact_m * same_contact_m)
@@ -49,98 +51,156 @@ bool has_contact_at(const Contacts &contacts, int finger, const btVector3 &p_axi
 
 struct ContactFinder::Scene {
     int finger;
-    const FingerState &state;
+    MassFactor mass;
     const Velocities &free;
-    std::array<Frame, 2> frame; // of the joints, in the object's frame
+    std::array<SineCosine, 2> angle; // of the finger's joints
+    Vector second_origin_m, second_x, second_y, second_z;
+    bool turns;           // whether the object looks different when it has turned
+    SineCosine turned_by; // how far it has
+    double reach_m;       // beyond a capsule's radius
+    double travelled_m;
 };
 
 ContactFinder::ContactFinder(const std::array<FingerKinematics, 2> &fingers, const ObjectBody &object,
                              double breaking_threshold_m, double error_reduction, double substep_s)
-    : fingers_(fingers), core_(rounded_core(object)), whitening_(std::sqrt(object.inertia_kg_m2)),
-      inverse_whitening_(1 / whitening_), breaking_threshold_m_(breaking_threshold_m),
-      error_reduction_(error_reduction), substep_s_(substep_s)
+    : kinematics_(fingers), pair_kinematics_(fingers), core_(rounded_core(object)),
+      whitening_(std::sqrt(object.inertia_kg_m2)), inverse_whitening_(1 / whitening_),
+      breaking_threshold_m_(breaking_threshold_m), error_reduction_(error_reduction), substep_s_(substep_s)
 {
+    for (int joint = 0; joint < 2; joint++)
+        stride_m_[joint] = substep_s * Pair{fingers[0].reach_m(joint), fingers[1].reach_m(joint)};
+    // Sphere and cylinder look the same however they are turned.
+    object_stride_m_ = core_.shape == Shape::cube ? substep_s * core_.bounding_radius_m : 0;
+    for (int f = 0; f < 2; f++) {
+        finger_[f].origin_m = vector_of(fingers[f].first().origin_m);
+        finger_[f].axis = vector_of(fingers[f].first().z);
+        for (int joint = 0; joint < 2; joint++) {
+            const CarriedCapsules &carried = fingers[f].carried(joint);
+            for (const LinkCapsule &link : carried.capsules)
+                finger_[f].capsules.push_back({joint, vector_of(carried.points_m[link.start]),
+                                               vector_of(carried.points_m[link.end]), link.radius_m, 0});
+        }
+    }
 }
 
-void ContactFinder::find(const std::array<FingerState, 2> &state, double object_rad, const Velocities &free,
-                         Contacts &contacts) const
+void ContactFinder::reset()
+{
+    travelled_m_ = Pair{};
+    for (Finger &finger : finger_) {
+        finger.due_m = 0;
+        for (Capsule &capsule : finger.capsules)
+            capsule.due_m = 0;
+    }
+}
+
+void ContactFinder::find(const Motion &motion, const MassFactorOf<Pair> &mass, const Velocities &free,
+                         Contacts &contacts)
 {
     contacts.clear();
+    travelled_m_ += stride_m_[0] * size_of(motion.velocity_rad_s[0]) +
+                    stride_m_[1] * size_of(motion.velocity_rad_s[1]) + object_stride_m_ * std::abs(motion.object_rad_s);
+    // A contact that is farther away than this cannot come near within the substep.
+    const Pair may_matter_m = stride_m_[0] * size_of(motion.free_velocity_rad_s[0]) +
+                              stride_m_[1] * size_of(motion.free_velocity_rad_s[1]) +
+                              object_stride_m_ * std::abs(free.object * inverse_whitening_) + reserve_m;
+    const Pair limit_m = travelled_m_ + may_matter_m;
+    const std::array<bool, 2> due = {limit_m[0] >= finger_[0].due_m, limit_m[1] >= finger_[1].due_m};
+    if (!due[0] && !due[1]) return;
+
+    const PairFrame second = pair_kinematics_.second_frames(motion.angle);
+    const bool turns = core_.shape == Shape::cube;
+    const SineCosine turned_by = turns ? sine_cosine(motion.object_rad) : SineCosine{};
     for (int f = 0; f < 2; f++) {
-        const FingerKinematics &finger = fingers_[f];
-        std::array<bool, 2> near;
-        for (int joint = 0; joint < 2; joint++) {
-            const PolarPlace centre = finger.centre(joint, state[f].angle);
-            near[joint] = may_touch(core_, centre.square_across_m2, centre.height_m,
-                                    finger.carried(joint).radius_m + breaking_threshold_m_);
-        }
-        if (!near[0] && !near[1]) continue;
-        Scene scene{f, state[f], free, finger.frames(state[f].angle)};
-        // Sphere and cylinder look the same however they are turned.
-        if (core_.shape == Shape::cube) {
-            const SineCosine angle = sine_cosine(object_rad);
-            for (Frame &frame : scene.frame)
-                frame = turned_back(angle, frame);
-        }
-        for (int joint = 0; joint < 2; joint++) {
-            if (near[joint]) find_of_joint(scene, joint, contacts);
-        }
+        if (!due[f]) continue;
+        const Scene scene{
+            f,
+            {mass.coupling[f], {mass.root[0][f], mass.root[1][f]}, {mass.inverse_root[0][f], mass.inverse_root[1][f]}},
+            free,
+            {SineCosine{motion.angle[0].sine[f], motion.angle[0].cosine[f]},
+             SineCosine{motion.angle[1].sine[f], motion.angle[1].cosine[f]}},
+            lane(second.origin_m, f),
+            lane(second.x, f),
+            lane(second.y, f),
+            lane(second.z, f),
+            turns,
+            turned_by,
+            std::min(may_matter_m[f], breaking_threshold_m_),
+            travelled_m_[f]};
+        look(scene, finger_[f], limit_m[f], contacts);
     }
 }
 
-void ContactFinder::find_of_joint(const Scene &scene, int joint, Contacts &contacts) const
+void ContactFinder::look(const Scene &scene, Finger &finger, double limit_m, Contacts &contacts) const
 {
-    const CarriedCapsules &carried = fingers_[scene.finger].carried(joint);
-    std::array<btVector3, 2 * most_capsules> p_m;
-    for (std::size_t i = 0; i < carried.points_m.size(); i++)
-        p_m[i] = scene.frame[joint].point(carried.points_m[i]);
-    for (std::size_t capsule = 0; capsule < carried.capsules.size(); capsule++) {
-        const LinkCapsule &link = carried.capsules[capsule];
-        const btVector3 &start_m = p_m[link.start], &end_m = p_m[link.end];
-        SegmentContacts places;
-        find_segment_contacts(core_, start_m, end_m, link.radius_m + breaking_threshold_m_, places);
-        for (int i = 0; i < places.count; i++) {
-            const SegmentContact &place = places.contact[i];
-            const btVector3 p_axis_m = start_m + place.share * (end_m - start_m);
-            if (contacts.full() || has_contact_at(contacts, scene.finger, p_axis_m)) continue;
-            const int feature = (joint * most_capsules + static_cast<int>(capsule)) * contact_features + place.feature;
-            add_contact(scene, joint, p_axis_m, place, link.radius_m, feature, contacts);
+    finger.due_m = 1e30;
+    for (std::size_t i = 0; i < finger.capsules.size(); i++) {
+        Capsule &capsule = finger.capsules[i];
+        if (limit_m >= capsule.due_m) {
+            Vector start_m, end_m;
+            if (capsule.joint == 1) {
+                const auto point_m = [&](const Vector &p_m) {
+                    return scene.second_origin_m + scene.second_x * p_m.x + scene.second_y * p_m.y +
+                           scene.second_z * p_m.z;
+                };
+                start_m = point_m(capsule.start_m);
+                end_m = point_m(capsule.end_m);
+            } else {
+                const Frame first = kinematics_[scene.finger].first().turned(scene.angle[0]);
+                start_m = vector_of(first.point(bullet_vector(capsule.start_m)));
+                end_m = vector_of(first.point(bullet_vector(capsule.end_m)));
+            }
+            const SineCosine back = {-scene.turned_by.sine, scene.turned_by.cosine};
+            SegmentContacts places;
+            const double away_m = find_segment_contacts(core_, scene.turns ? turned(back, start_m) : start_m,
+                                                        scene.turns ? turned(back, end_m) : end_m,
+                                                        capsule.radius_m + scene.reach_m, places);
+            capsule.due_m = scene.travelled_m + away_m - capsule.radius_m - rounding_m;
+            for (int k = 0; k < places.count; k++) {
+                const SegmentContact &place = places.contact[k];
+                const Vector p_axis_m = start_m + (end_m - start_m) * place.share;
+                if (contacts.full() || has_contact_at(contacts, scene.finger, p_axis_m)) continue;
+                const int feature = static_cast<int>(i) * contact_features + place.feature;
+                const Vector normal = scene.turns ? turned(scene.turned_by, place.normal) : place.normal;
+                add_contact(scene, capsule.joint, p_axis_m, place, normal, capsule.radius_m, feature, contacts);
+            }
         }
+        finger.due_m = std::min(finger.due_m, capsule.due_m);
     }
 }
 
-void ContactFinder::add_contact(const Scene &scene, int joint, const btVector3 &p_axis_m, const SegmentContact &place,
-                                double radius_m, int feature, Contacts &contacts) const
+void ContactFinder::add_contact(const Scene &scene, int joint, const Vector &p_axis_m, const SegmentContact &place,
+                                const Vector &normal, double radius_m, int feature, Contacts &contacts) const
 {
-    const btVector3 p_finger_m = p_axis_m - radius_m * place.normal;
-    const btVector3 p_object_m = p_axis_m - place.distance_m * place.normal;
+    const Finger &finger = finger_[scene.finger];
+    const Vector p_finger_m = p_axis_m - normal * radius_m;
+    const Vector p_object_m = p_axis_m - normal * place.distance_m;
     // Velocities of the finger's point for 1 rad/s of its joints, and of the object's for 1 rad/s of the hinge.
-    const btVector3 by_first = scene.frame[0].z.cross(p_finger_m - scene.frame[0].origin_m);
-    const btVector3 by_second =
-        joint == 0 ? btVector3(0, 0, 0) : scene.frame[1].z.cross(p_finger_m - scene.frame[1].origin_m);
-    const btVector3 by_hinge(-p_object_m.y(), p_object_m.x(), 0);
+    const Vector by_first = finger.axis.cross(p_finger_m - finger.origin_m);
+    const Vector by_second = joint == 0 ? Vector{0, 0, 0} : scene.second_z.cross(p_finger_m - scene.second_origin_m);
 
-    Contact contact;
-    contact.distance_m = place.distance_m - radius_m;
-    const auto set_row = [&](int i, const btVector3 &direction) {
-        contact.finger_row[i] = scene.state.mass.whitened({direction.dot(by_first), direction.dot(by_second)});
-        contact.object_row[i] = -direction.dot(by_hinge) * inverse_whitening_;
-    };
-    set_row(0, place.normal);
+    const MassFactor &mass = scene.mass;
+    const FingerVector row = mass.whitened({normal.dot(by_first), normal.dot(by_second)});
+    const double object_row = (normal.x * p_object_m.y - normal.y * p_object_m.x) * inverse_whitening_;
     const FingerVector &free = scene.free.finger[scene.finger];
-    const double normal_m_s = contact.finger_row[0][0] * free[0] + contact.finger_row[0][1] * free[1] +
-                              contact.object_row[0] * scene.free.object;
-    if (contact.distance_m + normal_m_s * substep_s_ > reserve_m) return;
+    const double normal_m_s = row[0] * free[0] + row[1] * free[1] + object_row * scene.free.object;
+    const double distance_m = place.distance_m - radius_m;
+    if (distance_m + normal_m_s * substep_s_ > reserve_m) return;
 
-    const auto across = tangents(place.normal);
-    set_row(1, across[0]);
-    set_row(2, across[1]);
+    const PairVector across = tangents(normal);
+    const Pair first_moves = across.dot(in_both_lanes(by_first)), second_moves = across.dot(in_both_lanes(by_second));
+    const Pair first = mass.inverse_root[0] * (first_moves - mass.coupling * second_moves);
+    const Pair second = mass.inverse_root[1] * second_moves;
+    const Pair object = (across.x * p_object_m.y - across.y * p_object_m.x) * inverse_whitening_;
+
+    Contact &contact = contacts.add();
     contact.finger = scene.finger;
+    contact.finger_row = {{row, {first[0], second[0]}, {first[1], second[1]}}};
+    contact.object_row = {object_row, object[0], object[1]};
+    contact.least_normal_m_s = -(distance_m > 0 ? 1 : error_reduction_) * distance_m / substep_s_;
+    contact.solution = {};
     contact.feature = feature;
+    contact.distance_m = distance_m;
     contact.p_axis_m = p_axis_m;
-    const double share = contact.distance_m > 0 ? 1 : error_reduction_;
-    contact.least_normal_m_s = -share * contact.distance_m / substep_s_;
-    contacts.add(contact);
 }
 
 } // namespace twiddle::sim

@@ -1,17 +1,29 @@
-// contact_finder.hpp: the contacts of a finger with the object, as rows for the solver.
+// contact_finder.hpp: the contacts of both fingers with the object, as rows for the solver.
+//
+// Most capsules are far from touching in most substeps. The finder knows how far each was when it was looked at last, and
+// how far it can have come since; it looks again when that may matter.
 #pragma once
 
 #include "constraint_search.hpp"
 #include "contact_solver.hpp"
 #include "finger_kinematics.hpp"
+#include "lanes.hpp"
 #include "segment_contacts.hpp"
 #include "sim/object_body.hpp"
+
+#include <vector>
 
 namespace twiddle::sim
 {
 
-// That one joint may carry.
-constexpr int most_capsules = 8;
+// Both fingers in lanes, and the object, at the start of a substep.
+struct Motion {
+    std::array<SineCosineOf<Pair>, 2> angle;
+    FingerVectorOf<Pair> velocity_rad_s{};      // that led here, over the last substep
+    FingerVectorOf<Pair> free_velocity_rad_s{}; // of the substep without contacts
+    double object_rad = 0;
+    double object_rad_s = 0; // that led here
+};
 
 class ContactFinder
 {
@@ -21,10 +33,12 @@ class ContactFinder
     ContactFinder(const std::array<FingerKinematics, 2> &fingers, const ObjectBody &object, double breaking_threshold_m,
                   double error_reduction, double substep_s);
 
-    // Fill `contacts` for fingers in `state` and the object turned by `object_rad`. A contact that the velocities
-    // `free` (of the substep without contacts) carry far from touching is left out.
-    void find(const std::array<FingerState, 2> &state, double object_rad, const Velocities &free,
-              Contacts &contacts) const;
+    // Forget how far the capsules were: what moves next did not come from where it was.
+    void reset();
+
+    // Fill `contacts` for fingers of `mass` and object in `motion`, which follows that of the last call. A contact that the
+    // velocities `free` (of the substep without contacts) carry far from touching is left out.
+    void find(const Motion &motion, const MassFactorOf<Pair> &mass, const Velocities &free, Contacts &contacts);
 
     // Whitened velocity of the object for an angular velocity of 1 rad/s: the square root of its inertia.
     double whitening() const
@@ -33,19 +47,39 @@ class ContactFinder
     }
 
   private:
+    // A capsule of a finger, in the frame of the joint that carries it.
+    struct Capsule {
+        int joint;
+        Vector start_m, end_m;
+        double radius_m;
+        double due_m; // looked at when this much has been travelled
+    };
+    struct Finger {
+        Vector origin_m, axis; // of the first joint
+        std::vector<Capsule> capsules;
+        double due_m = 0; // the least of its capsules'
+    };
     // What one finger's contacts have in common.
     struct Scene;
-    void find_of_joint(const Scene &scene, int joint, Contacts &contacts) const;
-    void add_contact(const Scene &scene, int joint, const btVector3 &p_axis_m, const SegmentContact &place,
-                     double radius_m, int feature, Contacts &contacts) const;
 
-    std::array<FingerKinematics, 2> fingers_;
+    void look(const Scene &scene, Finger &finger, double limit_m, Contacts &contacts) const;
+    void add_contact(const Scene &scene, int joint, const Vector &p_axis_m, const SegmentContact &place,
+                     const Vector &normal, double radius_m, int feature, Contacts &contacts) const;
+
+    std::array<FingerKinematics, 2> kinematics_;
+    PairKinematics pair_kinematics_;
+    std::array<Finger, 2> finger_;
     RoundedCore core_;
     double whitening_;
     double inverse_whitening_;
     double breaking_threshold_m_;
     double error_reduction_;
     double substep_s_;
+    // What a rad/s of the joints, in lanes, and of the object moves a point of finger or object in a substep at most, m.
+    FingerVectorOf<Pair> stride_m_;
+    double object_stride_m_;
+    // How far finger and object have come towards each other since reset() at most, m.
+    Pair travelled_m_{};
 };
 
 } // namespace twiddle::sim

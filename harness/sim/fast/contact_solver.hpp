@@ -7,10 +7,9 @@
 #pragma once
 
 #include "finger_dynamics.hpp"
+#include "lanes.hpp"
 #include "short_list.hpp"
 #include "sim/coulomb_contact.hpp"
-
-#include <LinearMath/btVector3.h>
 
 #include <array>
 
@@ -38,7 +37,7 @@ struct Contact {
     ContactSolution solution;                 // in: a first guess
     int feature = 0;                          // names the place within the finger: capsule and point on it
     double distance_m = 0;                    // between the surfaces; negative for a penetration
-    btVector3 p_axis_m;                       // of the capsule's centre line, in the object's frame
+    Vector p_axis_m{}; // of the capsule's centre line, in the palm's axes from the object's centre
 };
 
 constexpr int most_contacts = 16;
@@ -48,6 +47,10 @@ using Contacts = ShortList<Contact, most_contacts>;
 struct Freedom {
     double p00 = 1, p01 = 0, p11 = 1;
 
+    bool of_all() const
+    {
+        return p00 == 1 && p11 == 1;
+    }
     FingerVector of(const FingerVector &y) const
     {
         return {p00 * y[0] + p01 * y[1], p01 * y[0] + p11 * y[1]};
@@ -71,26 +74,51 @@ class ContactSolver
     void solve(const Regime &regime, Contacts &contacts, Velocities &velocities);
 
   private:
-    // A contact in a regime: its rows act only on what moves. Made when it is first pushed, since most
-    // contacts stay open.
+    // A contact's rows as the solver works with them: of the finger's two velocities and of the object's; the tangential
+    // ones in lanes.
+    struct Rows {
+        std::array<double, 3> normal{};
+        std::array<Pair, 3> tangential{};
+    };
+
+    // A contact in a regime. Made when it is first pushed, since most contacts stay open.
     struct Block {
         Contact *contact = nullptr;
         bool made = false;
         bool movable = false; // whether a normal impulse changes anything
-        std::array<FingerVector, 3> finger_row{};
-        ContactVector object_row{};
+        // In the law's axes, as the impulses are.
+        Rows rows;
+        Rows acting; // the same, less what stops hold
         CoulombContact law;
+        ContactPair impulse_ns;
+        ContactPair change_ns; // of the last relax()
 
-        ContactVector velocity(const Velocities &y) const;
+        double normal_velocity(const Velocities &y) const;
+        ContactPair velocity(const Velocities &y) const;
         // Returns the size of the change.
-        double apply(const ContactVector &change_ns, Velocities &y) const;
+        double apply(const ContactPair &more_ns, Velocities &y) const;
         // Solve the contact for the present impulses of all others; returns the size of the change.
-        double relax(Velocities &y) const;
+        double relax(Velocities &y);
+        // Change the impulse by a share of its last change.
+        void go_on(double share, Velocities &y);
+        // Hand the impulse to the contact.
+        void store() const;
     };
+    // What a sweep did. Two contacts, one a finger, feel each other through the object's velocity alone: their changes
+    // then fall from sweep to sweep as a geometric series, whose sum is known after two of them (Aitken).
+    struct Coupling {
+        double change = 0; // the largest, of a velocity
+        bool of_two_fingers = false;
+        double object_change = 0; // by the last contact
+    };
+    Coupling relax_all(const Regime &regime, Velocities &velocities);
     void make(Block &block, const Regime &regime) const;
+    void solve_alone(const Regime &regime, Contact &contact, Velocities &velocities);
 
     double friction_;
-    ShortList<Block, most_contacts> blocks_; // of the present call
+    // Of the present call.
+    Block alone_;
+    ShortList<Block, most_contacts> blocks_;
 };
 
 } // namespace twiddle::sim

@@ -86,6 +86,7 @@ class Sampler
 
 FingerDynamics::FingerDynamics(ArticulatedHand &hand, int first, int second, const btVector3 &gravity_palm_m_s2)
 {
+    double m11 = 0;
     Sampler sampler(hand, first, second, gravity_palm_m_s2);
     for (int i = 0; i < series_samples; i++) {
         const double angle_rad = turn_rad * i / series_samples;
@@ -95,14 +96,14 @@ FingerDynamics::FingerDynamics(ArticulatedHand &hand, int first, int second, con
             const int harmonic = (k + 1) / 2;
             const double wave = k % 2 == 0 && k > 0 ? std::sin(harmonic * angle_rad) : std::cos(harmonic * angle_rad);
             const double share = (k == 0 ? 1.0 : 2.0) / series_samples;
-            m00_[k] += share * wave * m[0];
-            m01_[k] += share * wave * m[1];
+            constants_.m00[k] += share * wave * m[0];
+            constants_.m01[k] += share * wave * m[1];
         }
-        m11_ += m[2] / series_samples;
+        m11 += m[2] / series_samples;
     }
-    inverse_m11_ = 1 / m11_;
-    root_m11_ = std::sqrt(m11_);
-    inverse_root_m11_ = 1 / root_m11_;
+    constants_.inverse_m11 = 1 / m11;
+    constants_.root_m11 = std::sqrt(m11);
+    constants_.inverse_root_m11 = 1 / constants_.root_m11;
     for (int i = 0; i < bilinear_samples; i++) {
         for (int j = 0; j < bilinear_samples; j++) {
             const double u_rad = turn_rad * i / bilinear_samples, v_rad = turn_rad * j / bilinear_samples;
@@ -114,43 +115,27 @@ FingerDynamics::FingerDynamics(ArticulatedHand &hand, int first, int second, con
             for (int joint = 0; joint < 2; joint++)
                 for (int a = 0; a < 3; a++)
                     for (int b = 0; b < 3; b++)
-                        weight_[joint][a][b] += share * u[a] * v[b] * weight[joint];
+                        constants_.weight[joint][a][b] += share * u[a] * v[b] * weight[joint];
         }
     }
     hand.reset();
 }
 
-FingerEquations FingerDynamics::equations(const std::array<SineCosine, 2> &angle,
-                                          const FingerVector &velocity_rad_s) const
+FingerConstants<Pair> in_lanes(const FingerConstants<double> &first, const FingerConstants<double> &second)
 {
-    const double c = angle[1].cosine, s = angle[1].sine;
-    const double c2 = c * c - s * s, s2 = 2 * s * c;
-    const auto sum = [&](const Series &m) { return m[0] + m[1] * c + m[2] * s + m[3] * c2 + m[4] * s2; };
-    const auto slope = [&](const Series &m) { return m[2] * c - m[1] * s + 2 * (m[4] * c2 - m[3] * s2); };
-
-    FingerEquations equations;
-    const double m01 = sum(m01_);
-    equations.mass.coupling = m01 * inverse_m11_;
-    const double first = std::sqrt(sum(m00_) - m01 * equations.mass.coupling);
-    equations.mass.root = {first, root_m11_};
-    equations.mass.inverse_root = {1 / first, inverse_root_m11_};
-
-    const double m00_slope = slope(m00_), m01_slope = slope(m01_);
-    const double v0 = velocity_rad_s[0], v1 = velocity_rad_s[1];
-    const FingerVector weight = weight_nm(angle);
-    equations.resistance_nm = {weight[0] + (m00_slope * v0 + m01_slope * v1) * v1, weight[1] - m00_slope * v0 * v0 / 2};
-    return equations;
-}
-
-FingerVector FingerDynamics::weight_nm(const std::array<SineCosine, 2> &angle) const
-{
-    FingerVector weight;
-    for (int joint = 0; joint < 2; joint++) {
-        const Bilinear &k = weight_[joint];
-        const auto row = [&](int a) { return k[a][0] + k[a][1] * angle[1].cosine + k[a][2] * angle[1].sine; };
-        weight[joint] = row(0) + row(1) * angle[0].cosine + row(2) * angle[0].sine;
+    FingerConstants<Pair> both;
+    for (std::size_t k = 0; k < both.m00.size(); k++) {
+        both.m00[k] = Pair{first.m00[k], second.m00[k]};
+        both.m01[k] = Pair{first.m01[k], second.m01[k]};
     }
-    return weight;
+    both.inverse_m11 = Pair{first.inverse_m11, second.inverse_m11};
+    both.root_m11 = Pair{first.root_m11, second.root_m11};
+    both.inverse_root_m11 = Pair{first.inverse_root_m11, second.inverse_root_m11};
+    for (int joint = 0; joint < 2; joint++)
+        for (int a = 0; a < 3; a++)
+            for (int b = 0; b < 3; b++)
+                both.weight[joint][a][b] = Pair{first.weight[joint][a][b], second.weight[joint][a][b]};
+    return both;
 }
 
 } // namespace twiddle::sim

@@ -1,6 +1,7 @@
 #include "finger_kinematics.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace twiddle::sim
 {
@@ -61,18 +62,6 @@ CarriedCapsules carried_by(const ArticulatedHand &hand, int body_link)
             carried.capsules.push_back(capsule);
         }
     }
-    btVector3 lower = carried.points_m.front(), upper = lower;
-    for (const btVector3 &point_m : carried.points_m) {
-        lower.setMin(point_m);
-        upper.setMax(point_m);
-    }
-    carried.centre_m = (lower + upper) / 2;
-    for (const LinkCapsule &capsule : carried.capsules) {
-        for (const int end : {capsule.start, capsule.end}) {
-            const double reach_m = (carried.points_m[end] - carried.centre_m).length() + capsule.radius_m;
-            carried.radius_m = std::max(carried.radius_m, reach_m);
-        }
-    }
     return carried;
 }
 
@@ -87,13 +76,13 @@ FingerKinematics::FingerKinematics(ArticulatedHand &hand, int first, int second,
     second_ = frame_of(X_palm_first.inverse() * joint_frame(hand, second));
     carried_ = {carried_by(hand, first), carried_by(hand, second)};
 
-    const btVector3 &p = carried_[1].centre_m;
-    centre_part_m_[0] = {carried_[0].centre_m, btVector3(0, 0, 0), btVector3(0, 0, 0)};
-    centre_part_m_[1] = {second_.origin_m + p.z() * second_.z, p.x() * second_.x + p.y() * second_.y,
-                         p.x() * second_.y - p.y() * second_.x};
-    p_first_object_m_ =
-        btVector3(-first_.origin_m.dot(first_.x), -first_.origin_m.dot(first_.y), -first_.origin_m.dot(first_.z));
-    hinge_direction_ = btVector3(first_.x.z(), first_.y.z(), first_.z.z());
+    const auto from_axis_m = [](const btVector3 &p_m) { return std::hypot(p_m.x(), p_m.y()); };
+    for (const btVector3 &p_m : carried_[0].points_m)
+        reach_m_[0] = std::max(reach_m_[0], from_axis_m(p_m));
+    for (const btVector3 &p_m : carried_[1].points_m) {
+        reach_m_[0] = std::max(reach_m_[0], from_axis_m(second_.origin_m) + p_m.length());
+        reach_m_[1] = std::max(reach_m_[1], from_axis_m(p_m));
+    }
 }
 
 std::array<Frame, 2> FingerKinematics::frames(const std::array<SineCosine, 2> &angle) const
@@ -104,15 +93,32 @@ std::array<Frame, 2> FingerKinematics::frames(const std::array<SineCosine, 2> &a
     return {first, second.turned(angle[1])};
 }
 
-PolarPlace FingerKinematics::centre(int joint, const std::array<SineCosine, 2> &angle) const
+PairKinematics::PairKinematics(const std::array<FingerKinematics, 2> &fingers)
+    : origin_m_(turning(fingers, &Frame::origin_m)), x_(turning(fingers, &Frame::x)), y_(turning(fingers, &Frame::y)),
+      z_(turning(fingers, &Frame::z))
 {
-    const auto &part_m = centre_part_m_[joint];
-    const btVector3 p_m = part_m[0] + angle[1].cosine * part_m[1] + angle[1].sine * part_m[2];
-    const double c = angle[0].cosine, s = angle[0].sine;
-    const btVector3 from_object_m =
-        btVector3(c * p_m.x() - s * p_m.y(), s * p_m.x() + c * p_m.y(), p_m.z()) - p_first_object_m_;
-    const double height_m = hinge_direction_.dot(from_object_m);
-    return {from_object_m.length2() - height_m * height_m, height_m};
+    origin_m_.constant =
+        origin_m_.constant + pair_of(vector_of(fingers[0].first().origin_m), vector_of(fingers[1].first().origin_m));
+}
+
+PairKinematics::Turning PairKinematics::turning(const std::array<FingerKinematics, 2> &fingers, VectorOfFrame vector)
+{
+    std::array<std::array<Vector, 2>, 3> part;
+    for (int f = 0; f < 2; f++) {
+        const Frame &first = fingers[f].first();
+        const btVector3 &v = fingers[f].second().*vector;
+        part[0][f] = vector_of(v.z() * first.z);
+        part[1][f] = vector_of(v.x() * first.x + v.y() * first.y);
+        part[2][f] = vector_of(v.x() * first.y - v.y() * first.x);
+    }
+    return {pair_of(part[0][0], part[0][1]), pair_of(part[1][0], part[1][1]), pair_of(part[2][0], part[2][1])};
+}
+
+PairFrame PairKinematics::second_frames(const std::array<SineCosineOf<Pair>, 2> &angle) const
+{
+    const PairVector x = x_.at(angle[0]), y = y_.at(angle[0]);
+    const Pair c = angle[1].cosine, s = angle[1].sine;
+    return {origin_m_.at(angle[0]), x * c + y * s, y * c - x * s, z_.at(angle[0])};
 }
 
 } // namespace twiddle::sim

@@ -3,6 +3,7 @@
 // Positions are in the palm's axes, from the object's centre.
 #pragma once
 
+#include "lanes.hpp"
 #include "sim/articulated_hand.hpp"
 #include "sine_cosine.hpp"
 
@@ -39,18 +40,10 @@ struct LinkCapsule {
     double radius_m = 0;
 };
 
-// All that one joint carries rigidly, in the joint's frame, and a ball around it (capsule radii included).
+// All that one joint carries rigidly, in the joint's frame.
 struct CarriedCapsules {
     std::vector<btVector3> points_m;
     std::vector<LinkCapsule> capsules;
-    btVector3 centre_m;
-    double radius_m = 0;
-};
-
-// A point as the object's bounding volume sees it.
-struct PolarPlace {
-    double square_across_m2 = 0; // of the distance from the hinge's axis
-    double height_m = 0;         // along it
 };
 
 class FingerKinematics
@@ -68,18 +61,59 @@ class FingerKinematics
         return carried_[joint];
     }
 
-    // Where the centre of carried(joint) is, for much less than frames() costs.
-    PolarPlace centre(int joint, const std::array<SineCosine, 2> &angle) const;
+    // No point of the capsules' centre lines is farther from the axis of joint 0 or 1, however the finger is bent: what a
+    // rad of the joint moves it at most.
+    double reach_m(int joint) const
+    {
+        return reach_m_[joint];
+    }
+
+    // The first joint's frame at angle 0, and the second's in that one.
+    const Frame &first() const
+    {
+        return first_;
+    }
+    const Frame &second() const
+    {
+        return second_;
+    }
 
   private:
     Frame first_;  // at angle 0
     Frame second_; // in the first joint's frame, at angle 0
     std::array<CarriedCapsules, 2> carried_;
-    // In the first joint's frame: the centre as a sum [constant, times cosine, times sine of the second angle] for both
-    // joints. In the same frame at angle 0: the object's centre and its hinge's direction.
-    std::array<std::array<btVector3, 3>, 2> centre_part_m_;
-    btVector3 p_first_object_m_;
-    btVector3 hinge_direction_;
+    std::array<double, 2> reach_m_{};
+};
+
+// A frame of each of two fingers, in lanes.
+struct PairFrame {
+    PairVector origin_m;
+    PairVector x, y, z;
+};
+
+// The second joints' frames of two fingers at once.
+class PairKinematics
+{
+  public:
+    explicit PairKinematics(const std::array<FingerKinematics, 2> &fingers);
+
+    // As FingerKinematics::frames has them.
+    PairFrame second_frames(const std::array<SineCosineOf<Pair>, 2> &angle) const;
+
+  private:
+    // A vector that turns with the first joint: constant, times cosine, times sine of its angle.
+    struct Turning {
+        PairVector constant, by_cosine, by_sine;
+
+        PairVector at(const SineCosineOf<Pair> &angle) const
+        {
+            return constant + by_cosine * angle.cosine + by_sine * angle.sine;
+        }
+    };
+    using VectorOfFrame = btVector3 Frame::*;
+    static Turning turning(const std::array<FingerKinematics, 2> &fingers, VectorOfFrame vector);
+
+    Turning origin_m_, x_, y_, z_; // of the second joints' frames at angle 0
 };
 
 } // namespace twiddle::sim

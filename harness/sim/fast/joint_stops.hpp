@@ -14,7 +14,7 @@ namespace twiddle::sim
 {
 
 // For each joint of a finger: which of its stops holds it.
-enum class Stop { none, lower, upper };
+enum class Stop : unsigned char { none, lower, upper };
 using HeldJoints = std::array<Stop, 2>;
 
 class JointStops
@@ -22,6 +22,15 @@ class JointStops
   public:
     // The joints' ranges. A joint that is past its stop is brought back by the share `error_reduction` in a substep.
     JointStops(const FingerVector &lower_rad, const FingerVector &upper_rad, double error_reduction, double substep_s);
+
+    const FingerVector &lower_rad() const
+    {
+        return lower_rad_;
+    }
+    const FingerVector &upper_rad() const
+    {
+        return upper_rad_;
+    }
 
     // The stops that joints at `angle_rad` would pass with these velocities.
     HeldJoints passed(const FingerVector &angle_rad, const FingerVector &velocity_rad_s) const;

@@ -79,13 +79,13 @@ Interval overlap(const Interval &a, const Interval &b)
 //                       0 or less
 struct LineAtBox {
     const RoundedCore &core;
-    const btVector3 &start, &u;
+    const Vector &start, &u;
     const std::array<Interval, 3> over; // each axis' slab
 
-    LineAtBox(const RoundedCore &box, const btVector3 &from, const btVector3 &along)
-        : core(box), start(from), u(along), over{within_slab(from.x(), along.x(), box.half_side_m),
-                                                 within_slab(from.y(), along.y(), box.half_side_m),
-                                                 within_slab(from.z(), along.z(), box.half_height_m)}
+    LineAtBox(const RoundedCore &box, const Vector &from, const Vector &along)
+        : core(box), start(from),
+          u(along), over{within_slab(from.x, along.x, box.half_side_m), within_slab(from.y, along.y, box.half_side_m),
+                         within_slab(from.z, along.z, box.half_height_m)}
     {
     }
 
@@ -117,9 +117,9 @@ struct LineAtBox {
 
     // The face is that of the normal's largest part. A segment along an edge that is over no face is clipped by the
     // edge's ends.
-    Interval clip(const btVector3 &normal) const
+    Interval clip(const Vector &normal) const
     {
-        const double x = std::abs(normal.x()), y = std::abs(normal.y()), z = std::abs(normal.z());
+        const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
         const int face = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
         const int one = face == 0 ? 1 : 0, other = face == 2 ? 1 : 2;
         const Interval both = overlap(over[one], over[other]);
@@ -127,33 +127,33 @@ struct LineAtBox {
         return over[std::abs(normal[one]) < std::abs(normal[other]) ? one : other];
     }
 
-    btVector3 gap(const btVector3 &p) const
+    Vector gap(const Vector &p) const
     {
-        return {beyond(p.x(), core.half_side_m), beyond(p.y(), core.half_side_m), beyond(p.z(), core.half_height_m)};
+        return {beyond(p.x, core.half_side_m), beyond(p.y, core.half_side_m), beyond(p.z, core.half_height_m)};
     }
 
-    double way_out(const btVector3 &p, btVector3 &normal) const
+    double way_out(const Vector &p, Vector &normal) const
     {
         int face = 0;
         for (int axis = 1; axis < 3; axis++)
             if (std::abs(p[axis]) - half(axis) > std::abs(p[face]) - half(face)) face = axis;
-        normal.setValue(0, 0, 0);
-        normal[face] = std::copysign(1, p[face]);
+        const double out = std::copysign(1, p[face]);
+        normal = {face == 0 ? out : 0, face == 1 ? out : 0, face == 2 ? out : 0};
         return std::abs(p[face]) - half(face);
     }
 };
 
 struct LineAtCylinder {
     const RoundedCore &core;
-    const btVector3 &start, &u;
+    const Vector &start, &u;
     const double across2; // u's square in the plane of the base
     const double turning; // start x u in that plane: the line's distance from the axis is its size / root of across2
     const Interval over_height, over_disc;
 
-    LineAtCylinder(const RoundedCore &cylinder, const btVector3 &from, const btVector3 &along)
-        : core(cylinder), start(from), u(along), across2(along.x() * along.x() + along.y() * along.y()),
-          turning(from.x() * along.y() - from.y() * along.x()),
-          over_height(within_slab(from.z(), along.z(), cylinder.half_height_m)), over_disc(within_disc())
+    LineAtCylinder(const RoundedCore &cylinder, const Vector &from, const Vector &along)
+        : core(cylinder), start(from), u(along), across2(along.x * along.x + along.y * along.y),
+          turning(from.x * along.y - from.y * along.x),
+          over_height(within_slab(from.z, along.z, cylinder.half_height_m)), over_disc(within_disc())
     {
     }
 
@@ -162,7 +162,7 @@ struct LineAtCylinder {
     Interval within_disc() const
     {
         if (across2 < still_m2) return whole_line;
-        const double inverse = 1 / across2, middle = -(start.x() * u.x() + start.y() * u.y()) * inverse;
+        const double inverse = 1 / across2, middle = -(start.x * u.x + start.y * u.y) * inverse;
         const double half2 = across2 * core.radius_m * core.radius_m - turning * turning;
         const double half = half2 > 0 ? std::sqrt(half2) * inverse : 0;
         return {middle - half, middle + half};
@@ -185,20 +185,20 @@ struct LineAtCylinder {
     {
         // Whether the line has left the slab before it comes over the disc, or comes into it after.
         const bool after = over_disc.from > over_height.to;
-        const double rim_m = std::copysign(core.half_height_m, after ? u.z() : -u.z());
-        const double u2 = across2 + u.z() * u.z(), turning2 = turning * turning;
+        const double rim_m = std::copysign(core.half_height_m, after ? u.z : -u.z);
+        const double u2 = across2 + u.z * u.z, turning2 = turning * turning;
         // From where g would be 0, if its parts rose as they do at the ends of their intervals.
         const double disc_at = after ? over_disc.from : over_disc.to;
         const double slab_at = after ? over_height.to : over_height.from;
         const double disc_slope = larger(across2 - turning2 / (core.radius_m * core.radius_m), 0);
-        const double slab_slope = u.z() * u.z();
+        const double slab_slope = u.z * u.z;
         const double balance = (disc_slope * disc_at + slab_slope * slab_at) / (disc_slope + slab_slope);
         double share = held(balance, gap.from, gap.to);
         for (int i = 0; i < 100; i++) {
-            const double x = start.x() + share * u.x(), y = start.y() + share * u.y(), z = start.z() + share * u.z();
+            const double x = start.x + share * u.x, y = start.y + share * u.y, z = start.z + share * u.z;
             const double inverse = 1 / std::sqrt(x * x + y * y);
-            const double pull = core.radius_m * inverse, rate = x * u.x() + y * u.y();
-            const double g = rate * (1 - pull) + u.z() * (z - rim_m);
+            const double pull = core.radius_m * inverse, rate = x * u.x + y * u.y;
+            const double g = rate * (1 - pull) + u.z * (z - rim_m);
             const double slope = larger(across2 - pull * turning2 * inverse * inverse, 0) + slab_slope;
             const double next = held(share - g / slope, gap.from, gap.to);
             const double step = next - share;
@@ -209,29 +209,29 @@ struct LineAtCylinder {
     }
 
     // Cap or side, whichever the normal belongs to more.
-    Interval clip(const btVector3 &normal) const
+    Interval clip(const Vector &normal) const
     {
-        return std::abs(normal.z()) < root_half ? over_height : over_disc;
+        return std::abs(normal.z) < root_half ? over_height : over_disc;
     }
 
-    btVector3 gap(const btVector3 &p) const
+    Vector gap(const Vector &p) const
     {
-        const double across_m2 = p.x() * p.x() + p.y() * p.y(), z = beyond(p.z(), core.half_height_m);
+        const double across_m2 = p.x * p.x + p.y * p.y, z = beyond(p.z, core.half_height_m);
         if (across_m2 <= core.radius_m * core.radius_m) return {0, 0, z};
         const double scale = 1 - core.radius_m / std::sqrt(across_m2);
-        return {scale * p.x(), scale * p.y(), z};
+        return {scale * p.x, scale * p.y, z};
     }
 
-    double way_out(const btVector3 &p, btVector3 &normal) const
+    double way_out(const Vector &p, Vector &normal) const
     {
-        const double across_m = std::sqrt(p.x() * p.x() + p.y() * p.y());
-        const double side_m = across_m - core.radius_m, cap_m = std::abs(p.z()) - core.half_height_m;
+        const double across_m = std::sqrt(p.x * p.x + p.y * p.y);
+        const double side_m = across_m - core.radius_m, cap_m = std::abs(p.z) - core.half_height_m;
         if (cap_m >= side_m) {
-            normal.setValue(0, 0, std::copysign(1, p.z()));
+            normal = {0, 0, std::copysign(1, p.z)};
             return cap_m;
         }
-        normal.setValue(1, 0, 0);
-        if (across_m > in_core_m) normal.setValue(p.x() / across_m, p.y() / across_m, 0);
+        normal = {1, 0, 0};
+        if (across_m > in_core_m) normal = {p.x / across_m, p.y / across_m, 0};
         return side_m;
     }
 };
@@ -246,16 +246,21 @@ template <class Line> class Collector
     {
     }
 
-    // False if even the closest point is out of reach.
-    bool add_closest(const Interval &closest)
+    // Whether the closest point is in reach; sets how far it is from the surface.
+    bool add_closest(const Interval &closest, double &distance_m)
     {
         double share = closest.from;
-        btVector3 gap = line_.gap(line_.start + share * line_.u);
+        Vector gap = line_.gap(line_.start + line_.u * share);
         if (gap.length2() < in_core_m * in_core_m) {
             share = 0.5 * (closest.from + closest.to);
-            gap = line_.gap(line_.start + share * line_.u);
+            gap = line_.gap(line_.start + line_.u * share);
         }
-        return add_point(share, gap, contact_closest);
+        if (!add_point(share, gap, contact_closest)) {
+            distance_m = square_root(gap.length2()) - line_.core.rounding_m;
+            return false;
+        }
+        distance_m = contacts_.contact[0].distance_m;
+        return true;
     }
 
     // A point that is no contact yet.
@@ -268,7 +273,7 @@ template <class Line> class Collector
             if (known.feature == contact_closest) known.feature = feature;
             return;
         }
-        add_point(share, line_.gap(line_.start + share * line_.u), feature);
+        add_point(share, line_.gap(line_.start + line_.u * share), feature);
     }
 
     void add_clip(const Interval &clip)
@@ -279,7 +284,7 @@ template <class Line> class Collector
     }
 
   private:
-    bool add_point(double share, const btVector3 &gap, int feature)
+    bool add_point(double share, const Vector &gap, int feature)
     {
         const double gap_m2 = gap.length2(), limit_m = reach_m_ + line_.core.rounding_m;
         if (gap_m2 >= limit_m * limit_m) return false;
@@ -292,10 +297,10 @@ template <class Line> class Collector
         contact->distance_m = gap_m - line_.core.rounding_m;
         contact->feature = feature;
         if (in_core) {
-            contact->distance_m += line_.way_out(line_.start + share * line_.u, contact->normal);
+            contact->distance_m += line_.way_out(line_.start + line_.u * share, contact->normal);
         } else {
             const double inverse = 1 / gap_m;
-            contact->normal.setValue(gap.x() * inverse, gap.y() * inverse, gap.z() * inverse);
+            contact->normal = gap * inverse;
         }
         return true;
     }
@@ -318,40 +323,41 @@ template <class Line> class Collector
     const double same_share2_; // square of the shares' difference up to which points are the same
 };
 
-template <class Line> void collect(const Line &line, double reach_m, SegmentContacts &contacts)
+template <class Line> double collect(const Line &line, double reach_m, SegmentContacts &contacts)
 {
     Collector<Line> collector(line, reach_m, contacts);
-    if (!collector.add_closest(line.closest())) return;
-    const btVector3 &normal = contacts.contact[0].normal;
+    double distance_m;
+    if (!collector.add_closest(line.closest(), distance_m)) return distance_m;
+    const Vector &normal = contacts.contact[0].normal;
     collector.add(0, contact_start);
     collector.add(1, contact_end);
     collector.add_clip(line.clip(normal));
+    return distance_m;
 }
 
-void collect_at_ball(const RoundedCore &ball, const btVector3 &start, const btVector3 &u, double reach_m,
-                     SegmentContacts &contacts)
+double collect_at_ball(const RoundedCore &ball, const Vector &start, const Vector &u, double reach_m,
+                       SegmentContacts &contacts)
 {
     const double u2 = u.length2(), limit_m = reach_m + ball.rounding_m;
     const double share = u2 < still_m2 ? 0 : within_segment(-start.dot(u) / u2);
-    const btVector3 p = start + share * u;
+    const Vector p = start + u * share;
     const double away_m2 = p.length2();
-    if (away_m2 >= limit_m * limit_m) return;
     const double away_m = std::sqrt(away_m2);
-    const btVector3 normal = away_m < in_core_m ? btVector3(1, 0, 0) : p * (1 / away_m);
+    if (away_m >= limit_m) return away_m - ball.rounding_m;
+    const Vector normal = away_m < in_core_m ? Vector{1, 0, 0} : p * (1 / away_m);
     contacts.contact[0] = {share, normal, away_m - ball.rounding_m, contact_closest};
     contacts.count = 1;
+    return away_m - ball.rounding_m;
 }
 
-// Whether the box around the segment is farther than `reach_m` from the box around the object.
-bool out_of_reach(const RoundedCore &core, const btVector3 &start, const btVector3 &end, double reach_m)
+// How far the box around the segment is from the box around the object; 0 or less where they overlap.
+double distance_of_boxes_m(const RoundedCore &core, const Vector &start, const Vector &end)
 {
-    const double margin_m = core.rounding_m + reach_m;
-    const double across_m = core.radius_m + core.half_side_m + margin_m, along_m = core.half_height_m + margin_m;
-    const auto beyond_both = [](double a, double b, double limit) {
-        return (smaller(a, b) > limit) | (larger(a, b) < -limit);
-    };
-    return beyond_both(start.x(), end.x(), across_m) | beyond_both(start.y(), end.y(), across_m) |
-           beyond_both(start.z(), end.z(), along_m);
+    const double across_m = core.radius_m + core.half_side_m + core.rounding_m;
+    const double along_m = core.half_height_m + core.rounding_m;
+    const auto beyond_m = [](double a, double b, double half) { return larger(smaller(a, b), -larger(a, b)) - half; };
+    return larger(larger(beyond_m(start.x, end.x, across_m), beyond_m(start.y, end.y, across_m)),
+                  beyond_m(start.z, end.z, along_m));
 }
 
 } // namespace
@@ -376,19 +382,17 @@ RoundedCore rounded_core(const ObjectBody &body)
     return core;
 }
 
-void find_segment_contacts(const RoundedCore &core, const btVector3 &start_m, const btVector3 &end_m, double reach_m,
-                           SegmentContacts &contacts)
+double find_segment_contacts(const RoundedCore &core, const Vector &start_m, const Vector &end_m, double reach_m,
+                             SegmentContacts &contacts)
 {
     contacts.count = 0;
-    if (out_of_reach(core, start_m, end_m, reach_m)) return;
-    const btVector3 u = end_m - start_m;
-    if (core.shape == Shape::sphere) {
-        collect_at_ball(core, start_m, u, reach_m, contacts);
-    } else if (core.shape == Shape::cylinder) {
-        collect(LineAtCylinder(core, start_m, u), reach_m, contacts);
-    } else {
-        collect(LineAtBox(core, start_m, u), reach_m, contacts);
-    }
+    const Vector u = end_m - start_m;
+    if (core.shape == Shape::sphere) return collect_at_ball(core, start_m, u, reach_m, contacts);
+    // A box that is far off says enough, for less.
+    const double boxes_m = distance_of_boxes_m(core, start_m, end_m);
+    if (boxes_m > 2 * reach_m) return boxes_m;
+    if (core.shape == Shape::cylinder) return collect(LineAtCylinder(core, start_m, u), reach_m, contacts);
+    return collect(LineAtBox(core, start_m, u), reach_m, contacts);
 }
 
 } // namespace twiddle::sim

@@ -5,9 +5,8 @@
 // or throws, and the same input gives the same output.
 #pragma once
 
+#include "lanes.hpp"
 #include "sim/object_body.hpp"
-
-#include <LinearMath/btVector3.h>
 
 #include <array>
 
@@ -42,7 +41,7 @@ constexpr int contact_features = 5;
 // A point of the segment near the object.
 struct SegmentContact {
     double share;      // place on the segment, 0 start .. 1 end
-    btVector3 normal;  // unit, out of the object
+    Vector normal;     // unit, out of the object
     double distance_m; // from the object's rounded surface to the point; negative if the point lies inside
     int feature;       // a ContactFeature
 };
@@ -60,22 +59,10 @@ struct SegmentContacts {
 //
 // A segment of no length is a point. A point inside the core has the normal and the distance of the shortest way out
 // (along x from the very axis or centre); of a segment through the core, the middle of the part inside stands first.
-void find_segment_contacts(const RoundedCore &core, const btVector3 &start_m, const btVector3 &end_m, double reach_m,
-                           SegmentContacts &contacts);
-
-// Whether a ball may touch the object, its centre at `height_m` along the hinge and at the square root of
-// `square_across_m2` from it: whether it touches the upright cylinder around the object. Never false for a ball
-// that does touch.
-inline bool may_touch(const RoundedCore &core, double square_across_m2, double height_m, double radius_m)
-{
-    const double across_m = core.bounding_radius_m + radius_m;
-    const double along_m = core.half_height_m + core.rounding_m + radius_m;
-    return height_m <= along_m && -height_m <= along_m && square_across_m2 <= across_m * across_m;
-}
-
-inline bool may_touch(const RoundedCore &core, const btVector3 &centre_m, double radius_m)
-{
-    return may_touch(core, centre_m.x() * centre_m.x() + centre_m.y() * centre_m.y(), centre_m.z(), radius_m);
-}
+//
+// Returns a distance from the surface, m, that no point of the segment is nearer than: the closest point's own, or less if
+// it is out of reach.
+double find_segment_contacts(const RoundedCore &core, const Vector &start_m, const Vector &end_m, double reach_m,
+                             SegmentContacts &contacts);
 
 } // namespace twiddle::sim

@@ -22,6 +22,11 @@ template <class Element, int room> class ShortList
     {
         element_[size_++] = element;
     }
+    // One more, to be filled: it holds whatever stood there before.
+    Element &add()
+    {
+        return element_[size_++];
+    }
     Element &last()
     {
         return element_[size_ - 1];

@@ -82,7 +82,7 @@ void ConeFrictionSolver::prepare_contacts()
                 inverse_mass[i][j] = inverse_mass[j][i] = sum;
             }
         }
-        contacts_.emplace_back(inverse_mass, rows[1]->m_friction);
+        contacts_.push_back({inverse_mass, CoulombContact(inverse_mass, rows[1]->m_friction)});
     }
 }
 
@@ -99,8 +99,8 @@ btScalar ConeFrictionSolver::solve_row(btMultiBodySolverConstraint &row)
 
 btScalar ConeFrictionSolver::solve_contact(int index)
 {
-    const CoulombContact &contact = contacts_[index];
-    const ContactMatrix &w = contact.inverse_mass();
+    const SolvedContact &contact = contacts_[index];
+    const ContactMatrix &w = contact.inverse_mass;
     const auto rows = contact_rows(index);
     if (w[0][0] <= 0) return 0;
     ContactVector before{}, b{};
@@ -111,7 +111,7 @@ btScalar ConeFrictionSolver::solve_contact(int index)
         for (int j = 0; j < 3; j++)
             b[i] -= w[i][j] * before[j];
     }
-    const ContactVector after = contact.solve(b);
+    const ContactVector after = contact.law.solve(b);
     btScalar largest = 0;
     for (int i = 0; i < 3; i++) {
         rows[i]->m_appliedImpulse = after[i];

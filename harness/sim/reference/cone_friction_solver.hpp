@@ -42,7 +42,11 @@ class ConeFrictionSolver : public btMultiBodyConstraintSolver
     btScalar solve_row(btMultiBodySolverConstraint &row);
     btScalar solve_contact(int index);
 
-    std::vector<CoulombContact> contacts_; // [normal rows]
+    struct SolvedContact {
+        ContactMatrix inverse_mass{};
+        CoulombContact law;
+    };
+    std::vector<SolvedContact> contacts_; // [normal rows]
 };
 
 } // namespace twiddle::sim

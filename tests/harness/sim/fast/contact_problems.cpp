@@ -84,9 +84,9 @@ ContactProblem ProblemSource::problem(Places places, int contacts, const std::ar
     for (int f = 0; f < 2; f++) {
         FingerState &state = problem.state[f];
         state.angle_rad = angle_rad[f];
-        state.angle = sines_cosines(angle_rad[f]);
+        const std::array<SineCosine, 2> angle = sines_cosines(angle_rad[f]);
         const FingerVector velocity_rad_s = random_pair(random_, 5), torque_nm = random_pair(random_, 0.3);
-        const FingerEquations equations = dynamics_[f].equations(state.angle, velocity_rad_s);
+        const FingerEquations equations = dynamics_[f].equations(angle, velocity_rad_s);
         state.mass = equations.mass;
         const FingerVector before = state.mass.from_velocity(velocity_rad_s);
         const FingerVector change = state.mass.whitened({substep_s * (torque_nm[0] - equations.resistance_nm[0]),
@@ -120,7 +120,7 @@ void ProblemSource::add_contact(ContactProblem &problem, int finger, int joint, 
                                 const btVector3 &normal)
 {
     const FingerState &state = problem.state[finger];
-    const std::array<Frame, 2> frame = kinematics_[finger].frames(state.angle);
+    const std::array<Frame, 2> frame = kinematics_[finger].frames(sines_cosines(state.angle_rad));
     const CarriedCapsules &carried = kinematics_[finger].carried(joint);
     const LinkCapsule &link = carried.capsules[capsule];
     const btVector3 p_joint_m = carried.points_m[link.start].lerp(carried.points_m[link.end], share);

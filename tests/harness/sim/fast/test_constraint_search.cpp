@@ -111,8 +111,8 @@ TEST_P(fast_stepper_constraint_search, answers_obey_the_laws_of_contacts_stops_a
     for (int i = 0; i < problems; i++) {
         ContactProblem problem = source.problem_at_stops(GetParam(), i % (most + 1));
         Holds holds;
-        const Velocities found = ConstraintSearch(ContactSolver(problem.friction), hinge(), source.stops())
-                                     .solve(problem.state, problem.free, problem.contacts, holds);
+        const Velocities found = ConstraintSearch(ContactSolver(problem.friction), hinge(), source.stops(), substep_s)
+                                     .solve(in_lanes(problem.state), problem.free, problem.contacts, holds);
         const Regime regime = regime_of(holds, problem.state);
         if (!each_has_one_answer(problem, regime)) {
             jamming++;
@@ -160,8 +160,8 @@ TEST(fast_stepper_constraint_search_by_hand, the_nearer_of_stop_and_contact_hold
         contact.least_normal_m_s = -let_through_rad_s;
         contacts.add(contact);
         Holds holds;
-        const Velocities found =
-            ConstraintSearch(ContactSolver(0.5), hinge(), {range, range}).solve(state, free, contacts, holds);
+        const Velocities found = ConstraintSearch(ContactSolver(0.5), hinge(), {range, range}, substep_s)
+                                     .solve(in_lanes(state), free, contacts, holds);
         EXPECT_EQ(holds.hinge, HingeRegime::held);
         EXPECT_EQ(holds.finger[1], HeldJoints{});
         if (let_through_rad_s < 0.5) {

@@ -236,6 +236,35 @@ TEST_P(fast_stepper_dynamics, energy_of_an_undriven_finger_is_conserved)
     EXPECT_LE(drift_j, 1e-9 * largest_kinetic_j);
 }
 
+// Both fingers in lanes. Expected: the same bits as of each finger alone.
+TEST_P(fast_stepper_dynamics, lanes_have_the_equations_of_each_finger)
+{
+    constexpr unsigned seed = 16;
+    const Finger finger = std::get<2>(GetParam());
+    BulletFinger other(setup_with_distal(std::get<0>(GetParam()), std::get<1>(GetParam())),
+                       finger == Finger::index ? Finger::thumb : Finger::index);
+    const FingerDynamics other_dynamics(other.hand, other.link[0], other.link[1], other.gravity_m_s2);
+    const FingerConstants<Pair> both = in_lanes(dynamics_.constants(), other_dynamics.constants());
+    std::mt19937_64 random(seed);
+    for (int i = 0; i < 1000; i++) {
+        const std::array<FingerVector, 2> angle_rad = {random_pair(random, 3), random_pair(random, 3)};
+        const std::array<FingerVector, 2> velocity_rad_s = {random_pair(random, 20), random_pair(random, 20)};
+        const FingerVectorOf<Pair> angles = in_lanes(angle_rad);
+        const FingerEquationsOf<Pair> lanes =
+            both.equations({sine_cosine(angles[0]), sine_cosine(angles[1])}, in_lanes(velocity_rad_s));
+        for (int f = 0; f < 2; f++) {
+            const FingerEquations alone =
+                (f == 0 ? dynamics_ : other_dynamics).equations(sines_cosines(angle_rad[f]), velocity_rad_s[f]);
+            ASSERT_EQ(lanes.mass.coupling[f], alone.mass.coupling);
+            for (int j = 0; j < 2; j++) {
+                ASSERT_EQ(lanes.mass.root[j][f], alone.mass.root[j]);
+                ASSERT_EQ(lanes.mass.inverse_root[j][f], alone.mass.inverse_root[j]);
+                ASSERT_EQ(lanes.resistance_nm[j][f], alone.resistance_nm[j]);
+            }
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sim, fast_stepper_dynamics, all_finger_cases(), name_of);
 
 } // namespace

@@ -32,7 +32,7 @@ const RoundedCore sphere = rounded_core(rounded_body(Shape::sphere, 0.032, 0.064
 SegmentContacts contacts_of(const RoundedCore &core, const btVector3 &start_m, const btVector3 &end_m, double reach_m)
 {
     SegmentContacts contacts;
-    find_segment_contacts(core, start_m, end_m, reach_m, contacts);
+    find_segment_contacts(core, vector_of(start_m), vector_of(end_m), reach_m, contacts);
     return contacts;
 }
 
@@ -51,7 +51,7 @@ SegmentContact contact_of(const SegmentContacts &contacts, int feature)
     for (int i = 0; i < contacts.count; i++)
         if (contacts.contact[i].feature == feature) return contacts.contact[i];
     ADD_FAILURE() << "no contact of feature " << feature;
-    return {-1, btVector3(0, 0, 0), 0, feature};
+    return {-1, Vector{0, 0, 0}, 0, feature};
 }
 
 void expect_contact(const SegmentContacts &contacts, int feature, double share, const btVector3 &normal,
@@ -59,7 +59,7 @@ void expect_contact(const SegmentContacts &contacts, int feature, double share, 
 {
     const SegmentContact contact = contact_of(contacts, feature);
     EXPECT_NEAR(contact.share, share, 1e-9) << "feature " << feature;
-    EXPECT_LT((contact.normal - normal).length(), 1e-9) << "feature " << feature;
+    EXPECT_LT((bullet_vector(contact.normal) - normal).length(), 1e-9) << "feature " << feature;
     EXPECT_NEAR(contact.distance_m, distance_m, exact_m) << "feature " << feature;
 }
 
@@ -170,7 +170,7 @@ TEST(fast_stepper_contact_sets, of_a_point_inside_lead_out_the_shortest_way)
     const auto expect_way = [](const RoundedCore &core, const btVector3 &p_m, const btVector3 &normal, double out_m) {
         const SegmentContacts contacts = contacts_of(core, p_m, p_m, 0.0085);
         ASSERT_EQ(contacts.count, 1);
-        EXPECT_LT((contacts.contact[0].normal - normal).length(), 1e-12);
+        EXPECT_LT((bullet_vector(contacts.contact[0].normal) - normal).length(), 1e-12);
         EXPECT_NEAR(contacts.contact[0].distance_m, -out_m, exact_m);
     };
     expect_way(cube, {0.004, -0.007, 0.003}, {0, -1, 0}, 0.003);

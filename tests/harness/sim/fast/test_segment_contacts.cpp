@@ -48,7 +48,7 @@ ObjectBody body_named(const std::string &object)
 SegmentContacts contacts_of(const RoundedCore &core, const Segment &segment, double reach_m)
 {
     SegmentContacts contacts;
-    find_segment_contacts(core, segment.start_m, segment.end_m, reach_m, contacts);
+    find_segment_contacts(core, vector_of(segment.start_m), vector_of(segment.end_m), reach_m, contacts);
     return contacts;
 }
 
@@ -213,7 +213,9 @@ TEST_P(fast_stepper_distances, are_those_of_gjk_within_a_micrometre)
     for_random_segments(1, poses, false, [&](const Segment &segment, double) {
         const SegmentContacts contacts = contacts_of(core_, segment, 0.02);
         ASSERT_GE(contacts.count, 1);
-        const auto &[share, normal, closest_m, feature] = contacts.contact[0];
+        const SegmentContact &closest = contacts.contact[0];
+        const btVector3 normal = bullet_vector(closest.normal);
+        const double closest_m = closest.distance_m;
         EXPECT_TRUE(gjk_intersect(body_, segment, closest_m + tolerance_m));
         EXPECT_FALSE(gjk_intersect(body_, segment, closest_m - tolerance_m));
         const double depth_m = capsule_radius_m - closest_m;
@@ -234,7 +236,7 @@ TEST_P(fast_stepper_distances, are_the_least_along_the_segment_within_a_nanometr
             const SegmentContact &closest = contacts.contact[0];
             EXPECT_NEAR(closest.distance_m, least_m, 1e-9);
             if (closest.share > 0 && closest.share < 1) {
-                EXPECT_NEAR(closest.normal.dot((segment.end_m - segment.start_m).normalized()), 0, 1e-9);
+                EXPECT_NEAR(bullet_vector(closest.normal).dot((segment.end_m - segment.start_m).normalized()), 0, 1e-9);
             }
             error_m = std::max(error_m, std::abs(closest.distance_m - least_m));
         });
@@ -252,10 +254,10 @@ TEST_P(fast_stepper_distances, have_normals_that_lead_back_to_the_surface)
                 const SegmentContact &contact = contacts.contact[i];
                 const btVector3 p_m = segment.at(contact.share);
                 ASSERT_TRUE(contact.share >= 0 && contact.share <= 1) << contact.share;
-                EXPECT_NEAR(contact.normal.length(), 1, 1e-12);
+                EXPECT_NEAR(bullet_vector(contact.normal).length(), 1, 1e-12);
                 EXPECT_NEAR(contact.distance_m, distance_m(body_, p_m), 1e-12);
-                EXPECT_NEAR(distance_m(body_, p_m - contact.distance_m * contact.normal), 0, 1e-12);
-                EXPECT_LT((contact.normal - gradient(body_, p_m)).length(), 1e-4);
+                EXPECT_NEAR(distance_m(body_, p_m - contact.distance_m * bullet_vector(contact.normal)), 0, 1e-12);
+                EXPECT_LT((bullet_vector(contact.normal) - gradient(body_, p_m)).length(), 1e-4);
             }
         });
 }
@@ -296,7 +298,7 @@ TEST_P(fast_stepper_distances, of_segments_without_length_are_those_of_a_point)
             const SegmentContacts contacts = contacts_of(core_, tiny, 0.05);
             ASSERT_EQ(contacts.count, 1);
             EXPECT_NEAR(contacts.contact[0].distance_m, distance_m(body_, segment.start_m), 1e-10);
-            EXPECT_NEAR(contacts.contact[0].normal.length(), 1, 1e-12);
+            EXPECT_NEAR(bullet_vector(contacts.contact[0].normal).length(), 1, 1e-12);
         }
     });
 }
@@ -315,28 +317,37 @@ TEST_P(fast_stepper_distances, are_numbers_inside_the_object)
         ASSERT_GE(contacts.count, 1) << "pose " << i;
         EXPECT_LT(contacts.contact[0].distance_m, 0) << "pose " << i;
         for (int j = 0; j < contacts.count; j++) {
-            EXPECT_NEAR(contacts.contact[j].normal.length(), 1, 1e-12) << "pose " << i;
+            EXPECT_NEAR(bullet_vector(contacts.contact[j].normal).length(), 1, 1e-12) << "pose " << i;
             EXPECT_TRUE(std::isfinite(contacts.contact[j].distance_m)) << "pose " << i;
         }
     }
 }
 
-// Expected: the distance to the ball's centre. The test may say yes to a ball that misses, never no to
-// one that touches.
-TEST_P(fast_stepper_distances, come_after_a_test_that_no_touching_ball_fails)
+// Of a segment out of reach, too. Expected: no point of it is nearer to the outer dimensions; the closest one is that near if
+// it is in reach.
+TEST_P(fast_stepper_distances, return_what_no_point_is_nearer_than)
 {
+    constexpr double rounding_m = 1e-12;
+    constexpr double reach_m = 0.01;
     std::mt19937_64 random(7);
-    std::uniform_real_distribution<double> place_m(-0.08, 0.08), radius_m(0.001, 0.02);
-    int passed = 0, touching = 0;
+    int in_reach = 0, outside = 0;
     for (int i = 0; i < poses; i++) {
-        const btVector3 centre_m(place_m(random), place_m(random), place_m(random));
-        const double ball_m = radius_m(random);
-        const bool touches = distance_m(body_, centre_m) < ball_m, may = may_touch(core_, centre_m, ball_m);
-        touching += touches;
-        passed += may;
-        EXPECT_TRUE(may || !touches) << "ball " << i;
+        const Segment segment = random_segment(random, i % 2 == 0);
+        SegmentContacts contacts;
+        const double least_m =
+            find_segment_contacts(core_, vector_of(segment.start_m), vector_of(segment.end_m), reach_m, contacts);
+        if (contacts.count > 0) {
+            in_reach++;
+            EXPECT_EQ(least_m, contacts.contact[0].distance_m) << "pose " << i;
+            continue;
+        }
+        outside++;
+        EXPECT_GE(least_m, reach_m - rounding_m) << "pose " << i;
+        for (int k = 0; k <= 50; k++)
+            ASSERT_GE(distance_m(body_, segment.at(k / 50.0)), least_m - rounding_m) << "pose " << i;
     }
-    EXPECT_LT(passed, 2 * touching) << "the test lets too much pass";
+    EXPECT_GT(in_reach, 100);
+    EXPECT_GT(outside, 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sim, fast_stepper_distances,

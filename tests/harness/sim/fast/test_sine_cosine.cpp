@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -57,6 +58,23 @@ TEST(fast_stepper_sine_cosine, are_within_the_promised_error_around_every_eighth
     }
     std::printf("largest error %.1e of 1 + |angle|\n", largest);
     EXPECT_LE(largest, 2e-16);
+}
+
+// Two angles in lanes. Expected: the same bits as each alone.
+TEST(fast_stepper_sine_cosine, of_lanes_are_those_of_each_angle_alone)
+{
+    constexpr unsigned seed = 62;
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> uniform(-10, 10);
+    for (int i = 0; i < 100000; i++) {
+        const std::array<double, 2> angle_rad = {uniform(random), uniform(random)};
+        const SineCosineOf<Pair> both = sine_cosine(Pair{angle_rad[0], angle_rad[1]});
+        for (int k = 0; k < 2; k++) {
+            const SineCosine alone = sine_cosine(angle_rad[k]);
+            ASSERT_EQ(both.sine[k], alone.sine) << angle_rad[k];
+            ASSERT_EQ(both.cosine[k], alone.cosine) << angle_rad[k];
+        }
+    }
 }
 
 } // namespace
