@@ -1,6 +1,7 @@
 #include <twiddle/controller.h>
 
 #include "checks.h"
+#include "four_joints.h"
 
 static void count_one(uint32_t *counter)
 {
@@ -21,6 +22,9 @@ enum twd_error twd_controller_init(struct twd_controller *controller, const stru
     (void)twd_cpg_init_several(&controller->cpg, config->model->topology, config->model->cpgs, &config->oscillators);
     twd_gate_normalise(no_preference, config->model->cpgs, controller->weight);
     controller->saturations = none;
+#if TWD_FOUR_JOINTS
+    twd_four_joints_make(&controller->four, config);
+#endif
     return TWD_OK;
 }
 
@@ -100,8 +104,13 @@ static void add_gravity(const struct twd_finger *finger, const twd_num *angle_ra
         gravity_nm[finger->joint[i]] = twd_add_saturated(gravity_nm[finger->joint[i]], finger_nm[i]);
 }
 
-void twd_controller_torque(struct twd_controller *controller, const twd_num *desired_angle_rad,
-                           const twd_num *angle_rad, const twd_rate *velocity_rad_s, twd_num *torque_nm)
+/* twd_controller_torque, joint by joint. */
+#if TWD_FOUR_JOINTS && defined(__GNUC__)
+__attribute__((noinline)) /* so that the way past it saves no registers */
+#endif
+static void
+find_torques(struct twd_controller *controller, const twd_num *desired_angle_rad, const twd_num *angle_rad,
+             const twd_rate *velocity_rad_s, twd_num *torque_nm)
 {
     const struct twd_controller_config *const config = &controller->config;
     twd_num gravity_nm[TWD_MAX_JOINTS] = {TWD_NUM(0)};
@@ -124,4 +133,15 @@ void twd_controller_torque(struct twd_controller *controller, const twd_num *des
             count_one(&controller->saturations.torque);
         }
     }
+}
+
+void twd_controller_torque(struct twd_controller *controller, const twd_num *desired_angle_rad,
+                           const twd_num *angle_rad, const twd_rate *velocity_rad_s, twd_num *torque_nm)
+{
+#if TWD_FOUR_JOINTS
+    if (controller->four.fit &&
+        twd_four_joints_torque(&controller->four, desired_angle_rad, angle_rad, velocity_rad_s, torque_nm))
+        return;
+#endif
+    find_torques(controller, desired_angle_rad, angle_rad, velocity_rad_s, torque_nm);
 }
