@@ -124,7 +124,10 @@ static inline void twd_sine_cosine(twd_phase phase, twd_num *sine, twd_num *cosi
 #define TWD_HALF_COSINE_0 TWD_NUM(-0.12499999887389313841)
 
 /* Sine and cosine of `angle_rad`, in [-pi, pi]; values beyond are clamped. Error at most 1e-8 (double), 3e-7 (float).
- * Half the angle needs no folding, and sin(q) = 2 sin(q/2) cos(q/2), cos(q) = cos^2(q/2) - sin^2(q/2). */
+ * Half the angle needs no folding, and sin(q) = 2 sin(q/2) cos(q/2), cos(q) = cos^2(q/2) - sin^2(q/2). Without a
+ * floating-point unit, to fold takes less time than so many products. */
+#if defined(__x86_64__) || defined(__aarch64__) || defined(_M_X64) || defined(_M_ARM64) || defined(__ARM_FP) ||        \
+    defined(__riscv_flen)
 static inline void twd_sine_cosine_of_angle(twd_num angle_rad, twd_num *sine, twd_num *cosine)
 {
     const twd_num half_turn_rad = TWD_NUM(3.14159265358979324);
@@ -149,6 +152,12 @@ static inline void twd_sine_cosine_of_angle(twd_num angle_rad, twd_num *sine, tw
     *sine = twd_mul(twice_half_sine, half_cosine);
     *cosine = twd_mul(half_cosine, half_cosine) - twd_mul(half_sine, half_sine);
 }
+#else
+static inline void twd_sine_cosine_of_angle(twd_num angle_rad, twd_num *sine, twd_num *cosine)
+{
+    twd_sine_cosine(twd_phase_from_angle(angle_rad), sine, cosine);
+}
+#endif
 
 TWD_END_DECLARATIONS
 
