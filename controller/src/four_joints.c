@@ -1,8 +1,6 @@
 #include "four_joints.h"
 
-#include <twiddle/phase.h>
-
-#if TWD_FOUR_JOINTS
+#if TWD_FOUR_AT_ONCE
 
 #define FOUR(value)                                                                                                    \
     {                                                                                                                  \
@@ -12,6 +10,7 @@
     }
 
 const struct twd_four_constants twd_four_constants = {
+    .sine = {FOUR(TWD_SINE_4), FOUR(TWD_SINE_3), FOUR(TWD_SINE_2), FOUR(TWD_SINE_1), FOUR(TWD_SINE_0)},
     .twice_half_sine = {FOUR(TWD_TWICE_HALF_SINE_4), FOUR(TWD_TWICE_HALF_SINE_3), FOUR(TWD_TWICE_HALF_SINE_2),
                         FOUR(TWD_TWICE_HALF_SINE_1), FOUR(TWD_TWICE_HALF_SINE_0)},
     .half_cosine = {FOUR(TWD_HALF_COSINE_4), FOUR(TWD_HALF_COSINE_3), FOUR(TWD_HALF_COSINE_2), FOUR(TWD_HALF_COSINE_1),
@@ -38,32 +37,52 @@ static bool fits(const struct twd_controller_config *config)
            (has_joints(&finger[0], 2) && has_joints(&finger[1], 0));
 }
 
+/* The slopes of a pair's energy: cos' = -sin, sin' = cos. */
+static void set_gravity(struct twd_four_joints *four, const struct twd_finger *finger)
+{
+    const twd_num(*const energy_j)[3] = finger->gravity.pair_energy_j;
+    const uint8_t first = finger->joint[0], second = finger->joint[1];
+    for (uint8_t k = 0; k < 3; k++) {
+        four->gravity_nm[k].of[first] = energy_j[2][k];
+        four->gravity_nm[k].of[second] = energy_j[k][2];
+        four->gravity_nm[k + 3].of[first] = energy_j[1][k];
+        four->gravity_nm[k + 3].of[second] = energy_j[k][1];
+    }
+}
+
 void twd_four_joints_make(struct twd_four_joints *four, const struct twd_controller_config *config)
 {
     four->fit = fits(config);
     if (!four->fit) return;
 
     for (uint8_t j = 0; j < 4; j++) {
-        const struct twd_pd *const pd = &config->joint[j].pd;
-        four->stiffness_nm_per_rad.of[j] = pd->stiffness_nm_per_rad;
-        four->damping_nms_per_rad.of[j] = pd->damping_nms_per_rad;
-        four->lower_limit_nm.of[j] = -pd->torque_limit_nm;
-        four->upper_limit_nm.of[j] = pd->torque_limit_nm;
+        const struct twd_joint *const joint = &config->joint[j];
+        four->lower_rad.of[j] = joint->range.lower_rad;
+        four->upper_rad.of[j] = joint->range.upper_rad;
+        four->upper_less_lower_rad.of[j] = joint->range.upper_rad - joint->range.lower_rad;
+        four->stiffness_nm_per_rad.of[j] = joint->pd.stiffness_nm_per_rad;
+        four->damping_nms_per_rad.of[j] = joint->pd.damping_nms_per_rad;
+        four->lower_limit_nm.of[j] = -joint->pd.torque_limit_nm;
+        four->upper_limit_nm.of[j] = joint->pd.torque_limit_nm;
     }
-    /* The slopes of each pair's energy: cos' = -sin, sin' = cos. */
-    for (uint8_t f = 0; f < 2; f++) {
-        const struct twd_finger *const finger = &config->finger[f];
-        for (uint8_t k = 0; k < 3; k++) {
-            const twd_num(*const energy_j)[3] = finger->gravity.pair_energy_j;
-            four->gravity_nm[k].of[finger->joint[0]] = energy_j[2][k];
-            four->gravity_nm[k].of[finger->joint[1]] = energy_j[k][2];
-            four->gravity_nm[k + 3].of[finger->joint[0]] = energy_j[1][k];
-            four->gravity_nm[k + 3].of[finger->joint[1]] = energy_j[k][1];
-        }
+    set_gravity(four, &config->finger[0]);
+    set_gravity(four, &config->finger[1]);
+}
+
+void twd_four_joints_weigh(struct twd_four_joints *four, const struct twd_model *model, const twd_num *weight)
+{
+    if (!four->fit) return;
+
+    struct twd_four *of_oscillator = four->weight;
+    for (uint8_t k = 0; k < model->cpgs; k++) {
+        const struct twd_topology *const topology = model->topology[k];
+        for (uint8_t i = 0; i < topology->oscillators; i++, of_oscillator++)
+            for (uint8_t j = 0; j < 4; j++)
+                of_oscillator->of[j] = topology->joint_oscillator[j] == i ? weight[k] : TWD_NUM(0);
     }
 }
 
 #else
 /* ISO C wants a declaration in every file. */
-typedef twd_num twd_four_joints_are_computed_one_by_one;
+typedef twd_num twd_joints_are_computed_one_by_one;
 #endif

@@ -38,18 +38,20 @@ static inline twd_phase twd_phase_from_frequency(twd_num frequency_hz, twd_small
     return twd_phase_from_turns(twd_mul(frequency_hz, tick_s));
 }
 
-/* What turns a rate into the phase of a tick: here the tick itself, s. */
+/* What turns a rate into the phase of a tick, in units of 2^-32 turn. */
 typedef twd_num twd_turn_gain;
 
 static inline twd_turn_gain twd_turn_gain_of_tick(twd_small tick_s)
 {
-    return tick_s;
+    return twd_mul(tick_s, TWD_NUM(683565275.57643159)); /* 2^32 / (2 pi) */
 }
 
 static inline twd_phase twd_phase_from_rates(twd_wide rate_rad_s, twd_wide last_rate_rad_s, twd_turn_gain gain)
 {
+    /* The largest number below 2^31 that a float holds. */
+    const twd_num limit = TWD_NUM(2147483520);
     const twd_num extrapolated = rate_rad_s + twd_mul(rate_rad_s - last_rate_rad_s, TWD_NUM(0.5));
-    return twd_phase_from_turns(twd_mul(twd_mul(extrapolated, TWD_NUM(0.15915494309189535)), gain));
+    return (uint32_t)(int32_t)twd_clamp(twd_mul(extrapolated, gain), -limit, limit);
 }
 
 /* The phase of `fraction` of a turn, in [0, 1]; 1 wraps to 0. */
@@ -59,21 +61,28 @@ static inline twd_phase twd_phase_from_fraction(twd_num fraction)
     return twd_phase_of_signed_turns(turns < TWD_NUM(0.5) ? turns : turns - TWD_NUM(1));
 }
 
+/* Of u^2, from u^8 down: the polynomial of least maximum error for sin(pi/2 u) on [-1, 1] in u, u^3, ... u^9, less u.
+ * Remez exchange in 40-digit arithmetic; maximum error 3.4e-9. */
+#define TWD_SINE_4 TWD_NUM(0.00015082056718197074)
+#define TWD_SINE_3 TWD_NUM(-0.0046722279289435442)
+#define TWD_SINE_2 TWD_NUM(0.079688480544303229)
+#define TWD_SINE_1 TWD_NUM(-0.64596335986686903)
+#define TWD_SINE_0 TWD_NUM(0.5707962900224310)
+
 /* sin(2 pi phase / 2^32). Error at most 1e-8 (double), 2e-7 (float). */
 static inline twd_num twd_sin(twd_phase phase)
 {
     /* The second and third quarter are folded onto the first and fourth: sin(theta) = sin(half a turn - theta). */
     const twd_phase folded = phase + TWD_QUARTER_TURN < TWD_HALF_TURN ? phase : TWD_HALF_TURN - phase;
 
-    /* The polynomial of least maximum error for sin(pi/2 u) on [-1, 1] in u, u^3, ... u^9: Remez exchange in 40-digit
-     * arithmetic; maximum error 3.4e-9. One u stands apart, so that the rounded sum is a small part of the result. */
+    /* One u stands apart, so that the rounded sum is a small part of the result. */
     const twd_num u = twd_quarters_of_phase(folded);
     const twd_num square = twd_mul(u, u);
-    twd_num sum = TWD_NUM(0.00015082056718197074);
-    sum = twd_mul(sum, square) + TWD_NUM(-0.0046722279289435442);
-    sum = twd_mul(sum, square) + TWD_NUM(0.079688480544303229);
-    sum = twd_mul(sum, square) + TWD_NUM(-0.64596335986686903);
-    sum = twd_mul(sum, square) + TWD_NUM(0.5707962900224310);
+    twd_num sum = TWD_SINE_4;
+    sum = twd_mul(sum, square) + TWD_SINE_3;
+    sum = twd_mul(sum, square) + TWD_SINE_2;
+    sum = twd_mul(sum, square) + TWD_SINE_1;
+    sum = twd_mul(sum, square) + TWD_SINE_0;
     return u + twd_mul(sum, u);
 }
 

@@ -1,5 +1,5 @@
-/* Four joints in two fingers of neighbours, which a host computes side by side (detail/four_joints.h), against the same
- * hand with its joints in an order for which nothing of the kind exists. */
+/* What a host computes four at a time (detail/four.h) against the same one by one, to the last bit. Joints: against a
+ * hand with its joints in an order for which nothing of the kind exists. Oscillators: against the functions of one. */
 #include "controller_fixture.h"
 
 #include <twiddle/icub_right_hand.h>
@@ -41,7 +41,7 @@ static void make_both(void)
     assert_int_equal(twd_controller_init(&side_by_side, &config), TWD_OK);
     config = hand(place);
     assert_int_equal(twd_controller_init(&one_by_one, &config), TWD_OK);
-#if TWD_FOUR_JOINTS
+#if TWD_FOUR_AT_ONCE
     assert_true(side_by_side.four.fit);
     assert_false(one_by_one.four.fit);
 #endif
@@ -107,11 +107,84 @@ static void unusable_input_is_counted_alike(void **state)
     }
 }
 
+/* Start both hands at random parameters, whose centres take the outputs of some trials out of range. */
+static void start_both(uint64_t *random)
+{
+    twd_num parameter[22];
+    for (int k = 0; k < 22; k++)
+        parameter[k] = twd_num_from_double(uniform(random, 0.0, 1.0));
+    assert_int_equal(twd_controller_start(&side_by_side, parameter, 22), TWD_OK);
+    assert_int_equal(twd_controller_start(&one_by_one, parameter, 22), TWD_OK);
+}
+
+/* A tick of the controller's networks, with the functions of one oscillator. */
+static void tick_one_by_one(struct twd_cpg *cpg)
+{
+    size_t first_oscillator = 0, first_coupling = 0;
+    for (size_t n = 0; n < cpg->networks; first_oscillator += cpg->topology[n++]->oscillators) {
+        for (size_t k = 0; k < cpg->topology[n]->couplings; k++) {
+            const struct twd_coupling coupling = cpg->topology[n]->coupling[k];
+            struct twd_oscillator *const first = &cpg->oscillator[first_oscillator + coupling.first];
+            struct twd_oscillator *const second = &cpg->oscillator[first_oscillator + coupling.second];
+            const twd_phase lag_and_quarter = cpg->coupling[first_coupling++].lag_and_quarter;
+            const twd_num sine = twd_cos(second->phase - first->phase - lag_and_quarter);
+            first->pull += twd_wide_product(second->amplitude.value, sine);
+            second->pull -= twd_wide_product(first->amplitude.value, sine);
+        }
+    }
+    for (size_t i = 0; i < cpg->oscillators; i++) {
+        struct twd_oscillator *const oscillator = &cpg->oscillator[i];
+        oscillator->phase +=
+            cpg->intrinsic_advance + twd_phase_from_rates(oscillator->pull, oscillator->last_pull, cpg->turn_gain);
+        oscillator->last_pull = oscillator->pull;
+        oscillator->pull = TWD_WIDE(0);
+        twd_filter_advance(&oscillator->amplitude, &cpg->amplitude_step, oscillator->amplitude_target);
+        twd_filter_advance(&oscillator->centre, &cpg->centre_step, oscillator->centre_target);
+        oscillator->output =
+            twd_oscillator_output_with_centre(oscillator->centre.value, oscillator->amplitude.value, oscillator->phase);
+    }
+}
+
+/* Desired angles and their saturations do not depend on how the joints are grouped into fingers; oscillators are where
+ * one by one would have taken them. Phases start at 0, so that the couplings pull. */
+static void ticks_are_those_of_oscillators_one_by_one(void **state)
+{
+    (void)state;
+    static struct twd_cpg cpg;
+    uint64_t random = 32;
+    print_message("seed 32\n");
+    make_both();
+    side_by_side.config.phase_start = one_by_one.config.phase_start = TWD_PHASE_START_AT_ZERO;
+    for (int32_t trial = CASES(40); trial > 0; trial--) {
+        start_both(&random);
+        cpg = side_by_side.cpg;
+        for (int tick = 0; tick < 300; tick++) {
+            twd_num desired[4], expected[4];
+            twd_controller_tick(&side_by_side, desired);
+            twd_controller_tick(&one_by_one, expected);
+            tick_one_by_one(&cpg);
+            for (int j = 0; j < 4; j++)
+                assert_true(desired[j] == expected[j]);
+            for (size_t i = 0; i < cpg.oscillators; i++) {
+                const struct twd_oscillator *const found = &side_by_side.cpg.oscillator[i];
+                assert_int_equal(found->phase, cpg.oscillator[i].phase);
+                assert_true(found->amplitude.value == cpg.oscillator[i].amplitude.value);
+                assert_true(found->centre.value == cpg.oscillator[i].centre.value);
+                assert_true(found->last_pull == cpg.oscillator[i].last_pull);
+                assert_true(found->output == cpg.oscillator[i].output);
+            }
+        }
+    }
+    assert_true(side_by_side.saturations.output > 0);
+    assert_int_equal(side_by_side.saturations.output, one_by_one.saturations.output);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(torques_are_those_of_joints_one_by_one),
         cmocka_unit_test(unusable_input_is_counted_alike),
+        cmocka_unit_test(ticks_are_those_of_oscillators_one_by_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
