@@ -19,7 +19,11 @@
 
 TWD_BEGIN_DECLARATIONS
 
+/* Aligned, where a compiler can be told, so that it can be an operand; memory of malloc is aligned so, too. */
 struct twd_four {
+#if defined(__GNUC__)
+    __attribute__((aligned(16)))
+#endif
     twd_num of[4];
 };
 
