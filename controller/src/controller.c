@@ -1,6 +1,7 @@
 #include <twiddle/controller.h>
 
 #include "checks.h"
+#include "four_joints.h"
 
 static void count_one(uint32_t *counter)
 {
@@ -21,6 +22,10 @@ enum twd_error twd_controller_init(struct twd_controller *controller, const stru
     (void)twd_cpg_init_several(&controller->cpg, config->model->topology, config->model->cpgs, &config->oscillators);
     twd_gate_normalise(no_preference, config->model->cpgs, controller->weight);
     controller->saturations = none;
+#if TWD_FOUR_AT_ONCE
+    twd_four_joints_make(&controller->four, config);
+    twd_four_joints_weigh(&controller->four, config->model, controller->weight);
+#endif
     return TWD_OK;
 }
 
@@ -42,6 +47,9 @@ enum twd_error twd_controller_start(struct twd_controller *controller, const twd
         controller->weight[k] = drive.weight[k];
     }
     twd_cpg_start(&controller->cpg, drive.cpg, phase);
+#if TWD_FOUR_AT_ONCE
+    twd_four_joints_weigh(&controller->four, config->model, controller->weight);
+#endif
     return TWD_OK;
 }
 
@@ -66,12 +74,27 @@ static void mix(struct twd_controller *controller, const struct twd_topology *to
         sum[j] += weighted[topology->joint_oscillator[j]];
 }
 
+/* Advance the CPGs; whether that wrote the desired angles as well. */
+static inline bool tick_cpgs(struct twd_controller *controller, twd_num *desired_angle_rad)
+{
+#if TWD_FOUR_AT_ONCE
+    if (controller->four.fit && four_oscillators_fit(&controller->cpg)) {
+        const struct twd_four fraction = four_joints_tick(&controller->four, &controller->cpg);
+        return controller->config.saturation == TWD_SATURATE_SUM &&
+               four_joints_angle(&controller->four, fraction, desired_angle_rad);
+    }
+#endif
+    (void)desired_angle_rad;
+    twd_cpg_tick(&controller->cpg);
+    return false;
+}
+
 void twd_controller_tick(struct twd_controller *controller, twd_num *desired_angle_rad)
 {
     const struct twd_controller_config *const config = &controller->config;
     twd_num sum[TWD_MAX_JOINTS] = {TWD_NUM(0)};
 
-    twd_cpg_tick(&controller->cpg);
+    if (tick_cpgs(controller, desired_angle_rad)) return;
     const struct twd_oscillator *oscillator = controller->cpg.oscillator;
     for (uint8_t k = 0; k < config->model->cpgs; k++) {
         const struct twd_topology *const topology = config->model->topology[k];
@@ -100,8 +123,13 @@ static void add_gravity(const struct twd_finger *finger, const twd_num *angle_ra
         gravity_nm[finger->joint[i]] = twd_add_saturated(gravity_nm[finger->joint[i]], finger_nm[i]);
 }
 
-void twd_controller_torque(struct twd_controller *controller, const twd_num *desired_angle_rad,
-                           const twd_num *angle_rad, const twd_rate *velocity_rad_s, twd_num *torque_nm)
+/* twd_controller_torque, joint by joint. */
+#if TWD_FOUR_AT_ONCE && defined(__GNUC__)
+__attribute__((noinline)) /* so that the way past it saves no registers */
+#endif
+static void
+find_torques(struct twd_controller *controller, const twd_num *desired_angle_rad, const twd_num *angle_rad,
+             const twd_rate *velocity_rad_s, twd_num *torque_nm)
 {
     const struct twd_controller_config *const config = &controller->config;
     twd_num gravity_nm[TWD_MAX_JOINTS] = {TWD_NUM(0)};
@@ -124,4 +152,15 @@ void twd_controller_torque(struct twd_controller *controller, const twd_num *des
             count_one(&controller->saturations.torque);
         }
     }
+}
+
+void twd_controller_torque(struct twd_controller *controller, const twd_num *desired_angle_rad,
+                           const twd_num *angle_rad, const twd_rate *velocity_rad_s, twd_num *torque_nm)
+{
+#if TWD_FOUR_AT_ONCE
+    if (controller->four.fit &&
+        four_joints_torque(&controller->four, desired_angle_rad, angle_rad, velocity_rad_s, torque_nm))
+        return;
+#endif
+    find_torques(controller, desired_angle_rad, angle_rad, velocity_rad_s, torque_nm);
 }

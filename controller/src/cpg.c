@@ -3,6 +3,8 @@
 #include <twiddle/phase.h>
 
 #include "checks.h"
+#include "cpg_offsets.h"
+#include "four_oscillators.h"
 
 /* A coupling pulls by at most R = 0.5 rad/s, the extrapolation at most doubles the sum, and a rate must stay below 16
  * rad/s. */
@@ -10,21 +12,9 @@
 #error "TWD_MAX_COUPLINGS is at most 15 in the fixed build"
 #endif
 
-/* Offsets in bytes save each tick the multiplication of an index; pointers would not survive a copy of the CPG. */
 static uint16_t offset_of(int index)
 {
     return (uint16_t)((unsigned)index * sizeof(struct twd_oscillator));
-}
-
-static inline struct twd_oscillator *at_offset(struct twd_cpg *cpg, uint16_t offset)
-{
-    return (struct twd_oscillator *)(void *)((unsigned char *)cpg->oscillator + offset);
-}
-
-static inline const struct twd_running_coupling *end_of_couplings(const struct twd_cpg *cpg)
-{
-    const void *const end = (const unsigned char *)cpg->coupling + cpg->couplings_end;
-    return (const struct twd_running_coupling *)end;
 }
 
 /* Append a network; what it holds has been checked. */
@@ -41,6 +31,26 @@ static void append(struct twd_cpg *cpg, const struct twd_topology *topology)
     cpg->couplings_end = (uint16_t)(cpg->couplings * sizeof cpg->coupling[0]);
 }
 
+#if TWD_FOUR_AT_ONCE
+static void make_filters(struct twd_four_filters *filters, const struct twd_filter_step *amplitude,
+                         const struct twd_filter_step *centre)
+{
+    filters->from_same = (struct twd_four){{amplitude->error_from_error, amplitude->velocity_from_velocity,
+                                            centre->error_from_error, centre->velocity_from_velocity}};
+    filters->from_other = (struct twd_four){{amplitude->error_from_velocity, amplitude->velocity_from_error,
+                                             centre->error_from_velocity, centre->velocity_from_error}};
+}
+
+static void set_filter_targets(struct twd_cpg *cpg)
+{
+    for (uint8_t i = 0; i < cpg->oscillators; i++) {
+        const struct twd_oscillator *const oscillator = &cpg->oscillator[i];
+        cpg->filters.target[i] =
+            (struct twd_four){{oscillator->amplitude_target, TWD_NUM(0), oscillator->centre_target, TWD_NUM(0)}};
+    }
+}
+#endif
+
 enum twd_error twd_cpg_init_several(struct twd_cpg *cpg, const struct twd_topology *const *topology, size_t networks,
                                     const struct twd_cpg_config *config)
 {
@@ -54,6 +64,9 @@ enum twd_error twd_cpg_init_several(struct twd_cpg *cpg, const struct twd_topolo
     cpg->amplitude_step = twd_filter_step_make(cpg->config.amplitude_rate_per_s, cpg->config.tick_s);
     cpg->centre_step = twd_filter_step_make(cpg->config.centre_rate_per_s, cpg->config.tick_s);
     cpg->turn_gain = twd_turn_gain_of_tick(cpg->config.tick_s);
+#if TWD_FOUR_AT_ONCE
+    make_filters(&cpg->filters, &cpg->amplitude_step, &cpg->centre_step);
+#endif
     cpg->networks = 0;
     cpg->oscillators = 0;
     cpg->couplings = 0;
@@ -130,6 +143,9 @@ void twd_cpg_start(struct twd_cpg *cpg, const struct twd_cpg_drive *drive, const
         else
             find_output_without_centre(&cpg->oscillator[i]);
     }
+#if TWD_FOUR_AT_ONCE
+    set_filter_targets(cpg);
+#endif
 }
 
 /* Place the oscillator at one end of `coupling` by the one at its other end; whether there was one to place. */
@@ -211,6 +227,12 @@ static inline void advance_phase_and_amplitude(struct twd_oscillator *oscillator
 
 void twd_cpg_tick(struct twd_cpg *cpg)
 {
+#if TWD_FOUR_AT_ONCE
+    if (four_oscillators_fit(cpg)) {
+        four_oscillators_tick(cpg);
+        return;
+    }
+#endif
     if (cpg->config.return_lag != TWD_RETURN_LAG_NEGATED)
         pull_with_equal_return(cpg);
     else

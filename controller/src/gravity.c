@@ -114,7 +114,7 @@ static twd_num largest_moment(const struct twd_gravity_joint *joint, uint8_t lin
 static void merge(const struct twd_gravity_joint *held, twd_num angle_rad, twd_num parent_moment_nm[3])
 {
     twd_num sine, cosine, turned_nm[3], moment_nm[3];
-    twd_sine_cosine(twd_phase_from_angle(angle_rad), &sine, &cosine);
+    twd_sine_cosine_of_angle(angle_rad, &sine, &cosine);
     turn(sine, cosine, held->moment_nm, turned_nm);
     to_parent(held->rotation, turned_nm, moment_nm);
     for (int axis = 0; axis < 3; axis++)
@@ -186,8 +186,8 @@ enum twd_error twd_gravity_init(struct twd_gravity *gravity, const struct twd_ch
 static void pair_torque(const twd_num energy_j[3][3], const twd_num angle_rad[2], twd_num torque_nm[2])
 {
     twd_num sine[2], cosine[2];
-    twd_sine_cosine(twd_phase_from_angle(angle_rad[0]), &sine[0], &cosine[0]);
-    twd_sine_cosine(twd_phase_from_angle(angle_rad[1]), &sine[1], &cosine[1]);
+    twd_sine_cosine_of_angle(angle_rad[0], &sine[0], &cosine[0]);
+    twd_sine_cosine_of_angle(angle_rad[1], &sine[1], &cosine[1]);
 
     const twd_num of_first_cosine =
         energy_j[1][0] + twd_mul(energy_j[1][1], cosine[1]) + twd_mul(energy_j[1][2], sine[1]);
@@ -208,7 +208,7 @@ static void chain_torque(const struct twd_gravity *gravity, const twd_num *angle
     twd_num sine[TWD_MAX_CHAIN_JOINTS];
     twd_num cosine[TWD_MAX_CHAIN_JOINTS];
     for (uint8_t i = 0; i < gravity->moving; i++)
-        twd_sine_cosine(twd_phase_from_angle(angle_rad[i]), &sine[i], &cosine[i]);
+        twd_sine_cosine_of_angle(angle_rad[i], &sine[i], &cosine[i]);
 
     twd_num direction[TWD_MAX_CHAIN_JOINTS][3]; /* of gravity, in each joint's frame at angle 0 */
     for (int axis = 0; axis < 3; axis++)

@@ -69,8 +69,9 @@ class Controller
     // Throws std::invalid_argument if the parameters are refused.
     virtual void start(const Parameters &parameters) = 0;
 
-    // The torques for `readings`; with `tick` the pattern generators advance before by one control step.
-    virtual JointCommands torque(const JointReadings &readings, bool tick) = 0;
+    // The torques for `readings`; with `tick` the pattern generators advance before by one control step. The commands
+    // stay until the next call.
+    virtual const JointCommands &torque(const JointReadings &readings, bool tick) = 0;
 };
 
 // What a trial starts with.
@@ -107,7 +108,7 @@ class Agent
     virtual TrialStart act(const LearnerInput &input) = 0;
 
     // As Controller's.
-    virtual JointCommands torque(const JointReadings &readings, bool tick) = 0;
+    virtual const JointCommands &torque(const JointReadings &readings, bool tick) = 0;
 
     // Returns the TD error.
     virtual double learn(double reward) = 0;

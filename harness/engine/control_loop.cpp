@@ -26,14 +26,18 @@ void ControlLoop::start_with(const std::vector<twd_num> &parameters)
         throw std::invalid_argument(std::string("the controller refuses the parameters: ") + twd_error_text(error));
 }
 
-JointCommands ControlLoop::torque(const JointReadings &readings, bool tick)
+const JointCommands &ControlLoop::torque(const JointReadings &readings, bool tick)
 {
+    if (tick) {
+        twd_controller_tick(&controller_, desired_rad_.data());
+        commands_.desired_rad = joint_vector(desired_rad_);
+    }
     const LibraryReadings numbers = library_readings(readings);
-    JointNumbers torque_nm{};
-    if (tick) twd_controller_tick(&controller_, desired_rad_.data());
+    JointNumbers torque_nm;
     twd_controller_torque(&controller_, desired_rad_.data(), numbers.angle_rad.data(), numbers.velocity_rad_s.data(),
                           torque_nm.data());
-    return {joint_vector(desired_rad_), joint_vector(torque_nm)};
+    commands_.torque_nm = joint_vector(torque_nm);
+    return commands_;
 }
 
 ExpertWeights ControlLoop::weights() const

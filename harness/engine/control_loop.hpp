@@ -12,14 +12,14 @@
 namespace twiddle::engine::TWD_BUILD_NAMESPACE
 {
 
-class ControlLoop : public Controller
+class ControlLoop final : public Controller
 {
   public:
     // Throws std::runtime_error, which names the set-up, for a configuration that the controller refuses.
     explicit ControlLoop(const ControllerSetup &setup);
 
     void start(const Parameters &parameters) override;
-    JointCommands torque(const JointReadings &readings, bool tick) override;
+    const JointCommands &torque(const JointReadings &readings, bool tick) override;
 
     // As start(), with numbers of the library.
     void start_with(const std::vector<twd_num> &parameters);
@@ -31,6 +31,8 @@ class ControlLoop : public Controller
     twd_controller controller_{};
     // Of the last tick.
     JointNumbers desired_rad_{};
+    // The same, and the last torques.
+    JointCommands commands_;
 };
 
 // The weights of `model`'s own CPGs, as the controller holds them, spread over all three.

@@ -17,12 +17,12 @@ namespace twiddle::engine::TWD_BUILD_NAMESPACE
 static_assert(joint_count <= TWD_MAX_JOINTS, "the library is built for fewer joints than the hand has");
 
 // Angles or torques as the controller's functions take them, in the order of settings/joints.hpp.
-using JointNumbers = std::array<twd_num, TWD_MAX_JOINTS>;
+using JointNumbers = std::array<twd_num, joint_count>;
 
 // JointReadings in numbers of the library.
 struct LibraryReadings {
-    JointNumbers angle_rad{};
-    std::array<twd_rate, TWD_MAX_JOINTS> velocity_rad_s{};
+    JointNumbers angle_rad;
+    std::array<twd_rate, joint_count> velocity_rad_s;
 };
 
 inline LibraryReadings library_readings(const JointReadings &readings)
@@ -37,7 +37,7 @@ inline LibraryReadings library_readings(const JointReadings &readings)
 
 inline JointVector joint_vector(const JointNumbers &numbers)
 {
-    JointVector vector{};
+    JointVector vector;
     for (std::size_t i = 0; i < joint_count; ++i) {
         vector[i] = twd_num_to_double(numbers[i]);
     }

@@ -16,7 +16,7 @@ namespace twiddle::engine::TWD_BUILD_NAMESPACE
 namespace
 {
 
-class LocalAgent : public Agent
+class LocalAgent final : public Agent
 {
   public:
     explicit LocalAgent(const AgentSetup &setup) : loop_(setup.controller)
@@ -36,7 +36,7 @@ class LocalAgent : public Agent
         return {twd_wide_to_double(learner_.value), twd_num_to_double(learner_.noise), loop_.weights()};
     }
 
-    JointCommands torque(const JointReadings &readings, bool tick) override
+    const JointCommands &torque(const JointReadings &readings, bool tick) override
     {
         return loop_.torque(readings, tick);
     }

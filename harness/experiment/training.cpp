@@ -61,7 +61,8 @@ TrialRow Training::run_trial()
 {
     TrialRow row = act();
     TrialResult result =
-        world_.run([this](const engine::JointReadings &readings, bool tick) { return agent_->torque(readings, tick); },
+        world_.run([this](const engine::JointReadings &readings,
+                          bool tick) -> const engine::JointCommands & { return agent_->torque(readings, tick); },
                    [](const StepSample &, const sim::World &) {});
     row.rotation_rad = result.rotation_rad;
     row.fault = std::move(result.fault);

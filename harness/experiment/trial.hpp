@@ -35,7 +35,7 @@ class TrialWorld
                sim::HandHold hold);
 
     // Run a trial from the start: at every substep torque(const engine::JointReadings &, bool tick), which returns
-    // engine::JointCommands, says how to move; at each control step's end observer(const StepSample &, const
+    // const engine::JointCommands &, says how to move; at each control step's end observer(const StepSample &, const
     // sim::World &) is called.
     template <class Torque, class Observer> TrialResult run(Torque &&torque, Observer &&observer);
 
@@ -62,14 +62,14 @@ template <class Torque, class Observer> TrialResult TrialWorld::run(Torque &&tor
 {
     world_->reset();
     for (int step = 1; step <= trial_steps; ++step) {
-        engine::JointCommands commands;
+        const engine::JointCommands *commands = nullptr;
         for (int substep = 0; substep < substeps_; ++substep) {
-            commands = torque(engine::JointReadings{world_->angles_rad(), world_->velocities_rad_s()}, substep == 0);
-            world_->substep(commands.torque_nm);
+            commands = &torque(engine::JointReadings{world_->angles_rad(), world_->velocities_rad_s()}, substep == 0);
+            world_->substep(commands->torque_nm);
         }
         if (!is_possible(world_->angles_rad(), world_->velocities_rad_s(), world_->object_rotation_rad()))
             return fault(step);
-        const StepSample sample = {step, commands.desired_rad, commands.torque_nm};
+        const StepSample sample = {step, commands->desired_rad, commands->torque_nm};
         observer(sample, static_cast<const sim::World &>(*world_));
     }
     return {world_->object_rotation_rad() + 0.0, {}}; // a sum with 0 is never -0
@@ -98,7 +98,9 @@ TrialResult TrialRunner::run_observed(const engine::Parameters &parameters, Obse
 {
     controller_->start(parameters);
     return world_.run(
-        [this](const engine::JointReadings &readings, bool tick) { return controller_->torque(readings, tick); },
+        [this](const engine::JointReadings &readings, bool tick) -> const engine::JointCommands & {
+            return controller_->torque(readings, tick);
+        },
         observer);
 }
 

@@ -84,19 +84,21 @@ class ChipAgent : public engine::Agent
         return {twd_wide_to_double(start.value), twd_num_to_double(start.noise), expert_weights(model, start.weight)};
     }
 
-    engine::JointCommands torque(const engine::JointReadings &readings, bool tick) override
+    const engine::JointCommands &torque(const engine::JointReadings &readings, bool tick) override
     {
         const LibraryReadings numbers = library_readings(readings);
-        JointNumbers torque_nm{};
+        JointNumbers desired_rad{}, torque_nm{};
         Request request;
         request.word(tick ? TWD_SUBSTEP_TICK : 0U)
             .words(numbers.angle_rad.data(), joint_count)
             .words(numbers.velocity_rad_s.data(), joint_count);
         ask(TWD_REQUEST_SUBSTEP, request, [&](twd_transfer *answer) {
             twd_transfer_words(answer, torque_nm.data(), joint_count);
-            if (tick) twd_transfer_words(answer, desired_rad_.data(), joint_count);
+            if (tick) twd_transfer_words(answer, desired_rad.data(), joint_count);
         });
-        return {joint_vector(desired_rad_), joint_vector(torque_nm)};
+        if (tick) commands_.desired_rad = joint_vector(desired_rad);
+        commands_.torque_nm = joint_vector(torque_nm);
+        return commands_;
     }
 
     double learn(double reward) override
@@ -208,7 +210,7 @@ class ChipAgent : public engine::Agent
 
     FrameLink link_;
     ChipConfig config_;
-    JointNumbers desired_rad_{}; // of the last tick
+    engine::JointCommands commands_; // the last ones
 };
 
 } // namespace

@@ -128,6 +128,24 @@ static void conversions_clamp(void **state)
     assert_int_equal(twd_phase_from_fraction(TWD_NUM(2)), 0);
 }
 
+/* Of an angle within half a turn, against libm; beyond, as at half a turn. */
+static void sine_and_cosine_of_an_angle_keep_their_bound(void **state)
+{
+    (void)state;
+    double worst = 0.0;
+    const int32_t steps = CASES(400000);
+    for (int32_t step = -steps; step <= steps; step++) {
+        const twd_num angle = twd_num_from_double(4.0 * (double)step / (double)steps);
+        const double within = fmax(-PI, fmin(PI, twd_num_to_double(angle)));
+        twd_num sine, cosine;
+        twd_sine_cosine_of_angle(angle, &sine, &cosine);
+        worst = max(worst, fabs(twd_num_to_double(sine) - sin(within)));
+        worst = max(worst, fabs(twd_num_to_double(cosine) - cos(within)));
+    }
+    print_message("sine and cosine of an angle: error at most %.2g\n", worst);
+    assert_bound(worst, BY_NUMBER(1e-8, 3e-7, 4e-6));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -137,6 +155,7 @@ int main(void)
         cmocka_unit_test(conversions_are_exact_in_binary_fractions),
         cmocka_unit_test(advances_are_turns_of_a_tick),
         cmocka_unit_test(conversions_clamp),
+        cmocka_unit_test(sine_and_cosine_of_an_angle_keep_their_bound),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

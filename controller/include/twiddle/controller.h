@@ -11,6 +11,7 @@
 
 #include <twiddle/cpg.h>
 #include <twiddle/detail/controller_names.h>
+#include <twiddle/detail/four.h>
 #include <twiddle/error.h>
 #include <twiddle/gate.h>
 #include <twiddle/gravity.h>
@@ -85,6 +86,9 @@ struct twd_controller {
     /* The selector's s_k of this trial. */
     twd_num weight[TWD_MAX_CPGS];
     struct twd_saturations saturations;
+#if TWD_FOUR_AT_ONCE
+    struct twd_four_joints four;
+#endif
 };
 
 /* Prepare `controller`. `config` may be the controller's own, filled in place. Errors name what does not hold together

@@ -10,6 +10,7 @@
 #define TWIDDLE_CPG_H
 
 #include <twiddle/detail/controller_names.h>
+#include <twiddle/detail/four.h>
 #include <twiddle/error.h>
 #include <twiddle/limits.h>
 #include <twiddle/oscillator.h>
@@ -139,6 +140,9 @@ struct twd_cpg {
     struct twd_running_coupling coupling[TWD_MAX_COUPLINGS];
     /* [oscillators]: state. */
     struct twd_oscillator oscillator[TWD_MAX_OSCILLATORS];
+#if TWD_FOUR_AT_ONCE
+    struct twd_four_filters filters;
+#endif
 };
 
 /* Make `cpg` one network of `topology`; copies `config`. Errors: a topology that does not hold together, a field

@@ -91,6 +91,11 @@ static inline void twd_sine_cosine(twd_phase phase, twd_num *sine, twd_num *cosi
     *cosine = twd_cos(phase);
 }
 
+static inline void twd_sine_cosine_of_angle(twd_num angle_rad, twd_num *sine, twd_num *cosine)
+{
+    twd_sine_cosine(twd_phase_from_angle(angle_rad), sine, cosine);
+}
+
 TWD_END_DECLARATIONS
 
 #endif
