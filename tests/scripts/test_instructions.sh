@@ -1,7 +1,7 @@
 #!/bin/sh
 # test_instructions.sh SOURCE_DIR CXX CASE: one claim about what `make bench-instructions` is made of:
-# scripts/piece-of-address, bench/bench_instructions.py and scripts/instructions-table. The program, valgrind and addr2line
-# are stand-ins, and their numbers made up; only piece-of-address meets a real program.
+# scripts/piece-of-address, bench/bench_instructions.py and scripts/instructions-table. The program, valgrind and
+# addr2line are stand-ins, and their numbers made up; only piece-of-address meets a real program.
 set -eu
 source=$1
 cxx=$2
@@ -27,9 +27,9 @@ stand_in() { # NAME, its text on standard input
     chmod +x "$work/bin/$1"
 }
 
-# A trial's row is its number. Of each of the 90,000 control steps callgrind counts 100 instructions in the dynamics, 20
-# in the learner (10 if it is told to leave out what resuming takes), and 3 in another library; what a call takes, a line
-# of its own, is in the called function's lines already.
+# A trial's row is its number. Of each of the 90,000 control steps callgrind counts 100 instructions in the dynamics,
+# 20 in the learner (10 if it is told to leave out what resuming takes), and 3 in another library; what a call takes, a
+# line of its own, is in the called function's lines already.
 stand_ins() { # [NAME_OF_A_COUNTED_FUNCTION]
     mkdir -p "$work/bin" "$work/lines/bin"
     stand_in twiddle <<'END'
