@@ -54,7 +54,7 @@ bench-peers: deps-run-bench with-bench peers ## compare speed and accuracy with 
 	    --program $(BUILD)/bin/bench_rollouts --models models --sets $(PEERS_SETS) --out build/bench/peers.csv
 
 # Counted is the program as everybody builds it; a second build of the same machine code knows the source lines.
-bench-instructions: deps-run-bench program build/lines/build.ninja ## count the instructions of training runs by piece of the simulation, and compare with docs/results/instructions.csv (about 10 minutes)
+bench-instructions: deps-run-bench program build/lines/build.ninja ## count the instructions of training runs by piece of the simulation, and compare with docs/results/instructions.csv (about 4 minutes, after two builds)
 	cmake --build --preset lines --target program
 	python3 -B bench/bench_instructions.py --program $(TWIDDLE) --lines build/lines/bin/twiddle --jobs $(JOBS) \
 	    --out build/bench/instructions.csv --recorded docs/results/instructions.csv
