@@ -28,9 +28,9 @@ stand_in() { # NAME, its text on standard input
 }
 
 # A trial's row is its number. Of each of the 90,000 control steps callgrind counts 100 instructions in the dynamics,
-# 20 in the learner (10 if it is told to leave out what resuming takes), and 3 in another library; what a call takes, a
-# line of its own, is in the called function's lines already.
-stand_ins() { # [NAME_OF_A_COUNTED_FUNCTION]
+# 20 in the learner (another count if it is told to leave out what resuming takes), and 3 in another library; what a
+# call takes, a line of its own, is in the called function's lines already.
+stand_ins() { # LEARNER_AT_THE_END
     mkdir -p "$work/bin" "$work/lines/bin"
     stand_in twiddle <<'END'
 while [ $# -gt 0 ]; do
@@ -57,7 +57,7 @@ learner=1800000
 while [ "\${1#--}" != "\$1" ]; do
     case \$1 in
     --callgrind-out-file=*) out=\${1#*=} ;;
-    --toggle-collect=twiddle::runs::TrainingSession::resume*) learner=900000 ;;
+    --toggle-collect=twiddle::runs::TrainingSession::resume*) learner=\$((90000 * $1)) ;;
     esac
     shift
 done
@@ -65,7 +65,7 @@ done
 cat >"\$out" <<CALLGRIND
 summary: \$((9000000 + learner + 270000))
 ob=\$1
-fn=${1:-one}
+fn=one
 0x1010 8000000
 0x1014 1000000
 cfn=other
@@ -136,7 +136,7 @@ END
     has_line 'unnamed:rest'
     ;;
 both_ends_of_nine_runs_are_counted_by_piece)
-    stand_ins
+    stand_ins 10
     bench
     [ $status -eq 0 ] || fail "exit status $status: $(cat "$work/error")"
     grep -v '^#' "$work/out/new.csv" >"$work/rows"
@@ -147,7 +147,7 @@ both_ends_of_nine_runs_are_counted_by_piece)
     has_line 'large-cube,4701-5000,10,113,100,10,3'
     ;;
 changes_of_more_than_one_percent_are_told)
-    stand_ins
+    stand_ins 10
     bench
     sed 's/small-cube,1-300,11,123,100/small-cube,1-300,11,124,80/' "$work/out/new.csv" >"$work/recorded.csv"
     bench "$work/recorded.csv"
@@ -161,7 +161,7 @@ changes_of_more_than_one_percent_are_told)
     has_line "$work/nowhere.csv is not there: nothing to compare with"
     ;;
 refuses_lines_of_another_program)
-    stand_ins
+    stand_ins 10
     echo '# another' >>"$work/lines/bin/twiddle"
     bench
     [ $status -eq 1 ] || fail "exit status $status"
@@ -169,7 +169,7 @@ refuses_lines_of_another_program)
     [ ! -e "$work/out" ] || fail 'wrote something'
     ;;
 refuses_a_count_of_what_resuming_takes)
-    stand_ins 'twiddle::runs::TrainingSession::resume(int)'
+    stand_ins 41
     bench
     [ $status -eq 1 ] || fail "exit status $status"
     says 'what resuming takes was counted too'
