@@ -11,14 +11,15 @@ PEERS_SETS ?= 200
 PREFIX ?= /usr/local
 
 .DEFAULT_GOAL := help
-.PHONY: help run test accuracy bench bench-peers bench-firmware performance plots hand-tables example-policy firmware
+.PHONY: help run test accuracy bench bench-instructions bench-peers bench-firmware performance plots hand-tables
+.PHONY: example-policy firmware
 .PHONY: peers program build sanitize format lint lint-format lint-rooms lint-tidy analyze install clean gnuplot
 
 # From left to right, whatever -j says: first the packages, then one build at a time, which takes all cores itself.
 .NOTPARALLEL:
 
 help: ## print this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-18s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 # --- the main jobs ---
 
@@ -51,6 +52,12 @@ bench-peers: deps-run-bench with-bench peers ## compare speed and accuracy with 
 	$(build) bench_rollouts
 	PYTHONPATH=peers $(PEERS_VENV)/bin/python -B bench/bench_peers.py \
 	    --program $(BUILD)/bin/bench_rollouts --models models --sets $(PEERS_SETS) --out build/bench/peers.csv
+
+# Counted is the program as everybody builds it; a second build of the same machine code knows the source lines.
+bench-instructions: deps-run-bench program build/lines/build.ninja ## count the instructions of training runs by piece of the simulation, and compare with docs/results/instructions.csv (about 4 minutes, after two builds)
+	cmake --build --preset lines --target program
+	python3 -B bench/bench_instructions.py --program $(TWIDDLE) --lines build/lines/bin/twiddle --jobs $(JOBS) \
+	    --out build/bench/instructions.csv --recorded docs/results/instructions.csv
 
 PERFORMANCE := build/bench/performance
 
@@ -186,7 +193,7 @@ PEERS_VENV := build/peers-venv
 peers:
 	@scripts/install-peers $(PEERS_VENV)
 
-build/sanitize/build.ninja build/library/build.ninja: build/%/build.ninja: CMakePresets.json
+build/lines/build.ninja build/sanitize/build.ninja build/library/build.ninja: build/%/build.ninja: CMakePresets.json
 	cmake --preset $*
 
 sanitize: deps-run-test build/sanitize/build.ninja peers ## build and test with the address and undefined-behaviour sanitizers

@@ -1,5 +1,5 @@
 // Speed of the full loop, of a whole training run, and of the controller's and the learner's parts, on one core, with
-// numbers in float, for the set-up mid-a. Items are control steps, or calls of the part that is named.
+// numbers in float, for the set-up paper-negated. Items are control steps, or calls of the part that is named.
 #include "work.hpp"
 
 #include "engine/controller_setup.hpp"
@@ -28,7 +28,7 @@ constexpr std::uint32_t seed = 1;
 // Trials of CPG-C with random parameters: controller, torques at every substep, and the world.
 void full_loop(benchmark::State &state, sim::Stepper stepper, const char *object)
 {
-    TrialRunner runner = bench::make_runner(stepper, object, bench::load_setup(bench::mid_a_file));
+    TrialRunner runner = bench::make_runner(stepper, object, bench::load_setup(bench::speed_setup));
     const auto sets = bench::random_parameters("cpg-c", 64, seed);
     std::size_t next = 0;
     while (state.KeepRunning())
@@ -50,7 +50,7 @@ void training_run(benchmark::State &state, sim::Stepper stepper, const char *obj
 
 engine::AgentSetup agent_setup_of_h()
 {
-    return {{bench::load_setup(bench::mid_a_file), "cpg-h", true}, 5000, seed};
+    return {{bench::load_setup(bench::speed_setup), "cpg-h", true}, 5000, seed};
 }
 
 std::vector<twd_num> library_numbers(const std::vector<double> &values)

@@ -12,7 +12,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -31,7 +30,7 @@ using namespace twiddle::bench;
 using engine::Parameters;
 using experiment::TrialRunner;
 
-constexpr int default_substeps = 5; // mid-a's
+constexpr int default_substeps = 5; // of the speed figures' set-up
 
 struct Options {
     std::filesystem::path file;
@@ -73,37 +72,7 @@ std::vector<settings::Override> with_substeps(int substeps)
 
 TrialRunner make_runner_of(const Place &place)
 {
-    return make_runner(place.stepper, place.object, load_setup(mid_a_file, with_substeps(place.substeps)));
-}
-
-// Whole passes through `sets` for at least `seconds`.
-double trials_steps_per_s(TrialRunner &runner, const std::vector<Parameters> &sets, double seconds)
-{
-    const auto start = std::chrono::steady_clock::now();
-    std::chrono::duration<double> spent_s{};
-    std::size_t trials = 0;
-    while (spent_s.count() < seconds) {
-        for (const Parameters &set : sets)
-            runner.run(set);
-        trials += sets.size();
-        spent_s = std::chrono::steady_clock::now() - start;
-    }
-    return static_cast<double>(trials) * trial_steps / spent_s.count();
-}
-
-// Every runner on a thread of its own; the sum of what each reaches.
-double workers_steps_per_s(std::vector<TrialRunner> &runners, const std::vector<Parameters> &sets, double seconds)
-{
-    std::vector<double> each(runners.size());
-    std::vector<std::thread> threads;
-    for (std::size_t w = 0; w < runners.size(); ++w)
-        threads.emplace_back([&, w] { each[w] = trials_steps_per_s(runners[w], sets, seconds); });
-    for (std::thread &thread : threads)
-        thread.join();
-    double sum = 0;
-    for (const double steps_per_s : each)
-        sum += steps_per_s;
-    return sum;
+    return make_runner(place.stepper, place.object, load_setup(speed_setup, with_substeps(place.substeps)));
 }
 
 // All timings, in the order in which the file has them.
@@ -189,7 +158,7 @@ class Plan
 std::vector<std::string> comments(const Options &options)
 {
     return {
-        "Cost of the full loop (controller, torques at every substep, world) as the work grows. Set-up mid-a.",
+        "Cost of the full loop (controller, torques at every substep, world) as the work grows. Set-up paper-negated.",
         "control_steps_per_s: control steps of 10 ms a second, all workers together. ratio_to_one_worker: of the same "
         "repeat.",
         "peak_resident_mb: of a process that does one training of " + std::to_string(options.memory_trials) +

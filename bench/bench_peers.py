@@ -21,13 +21,15 @@ import numpy as np
 
 from mechanics_check import check_mechanics
 from mujoco_hand import JOINTS, Options, mjcf
-from mujoco_rollouts import Trials
+from mujoco_rollouts import ParallelTrials, Trials
 
 OBJECTS = ("small-sphere", "medium-cylinder", "large-cube")
 STEPS = 300  # control steps of a trial
 STATES = 100  # of the hand, for the check of its mechanics
+CORES = os.sched_getaffinity(0)
+ONE_CORE = {max(CORES)}
 CONVERGED_SUBSTEPS = 50  # of the reference, in which its rotations no longer change
-MID_A = Path(__file__).resolve().parent.parent / "tests/harness/data/setups/mid-a.toml"
+SETUP = "paper-negated"  # of all speed figures
 
 
 class Ours:
@@ -62,8 +64,8 @@ class Ours:
         lines, faults = self.ask("rotations", "--object", name, "--stepper", stepper, "--substeps", substeps)
         return np.array(lines[1:], dtype=float), len(faults)
 
-    def control_steps_per_s(self, name, stepper):
-        return float(self.ask("time", "--object", name, "--stepper", stepper)[0][1])
+    def control_steps_per_s(self, name, stepper, workers=1):
+        return float(self.ask("time", "--object", name, "--stepper", stepper, "--workers", workers)[0][1])
 
 
 @dataclass
@@ -83,15 +85,25 @@ class Row:
     mujoco_converged_rad: float = 0
     ours_failed: int = 0
     mujoco_failed: dict = field(default_factory=dict)
+    # On as many cores as there are, by workers of ours and by mujoco.rollout.
+    cores: int = 0
+    ours_cores_steps_per_s: float = 0
+    rollout_cores_steps_per_s: float = 0
+    cores_speed_ratio: float = 0
+    rollout_r: float = 0
+    rollout_rad: float = 0
 
 
 def correlation(a, b):
     return float(np.corrcoef(a, b)[0, 1])
 
 
+def mujoco_model(arguments, settings, name, substeps):
+    return mujoco.MjModel.from_xml_string(mjcf(arguments.models, name, settings, substeps))
+
+
 def mujoco_trials(arguments, settings, name, desired_rad, substeps):
-    text = mjcf(arguments.models, name, settings, substeps)
-    return Trials(mujoco.MjModel.from_xml_string(text), desired_rad, substeps)
+    return Trials(mujoco_model(arguments, settings, name, substeps), desired_rad, substeps)
 
 
 def counted_rad(trials, settings):
@@ -111,6 +123,8 @@ def measure_accuracy(arguments, ours, settings, name, desired_rad):
     own, own_failed = ours.rotations_rad(name, arguments.stepper, substeps)
     timed = mujoco_trials(arguments, settings, name, desired_rad, substeps)
     timed_rad = counted_rad(timed, settings)
+    parallel = ParallelTrials(mujoco_model(arguments, settings, name, substeps), desired_rad, substeps, len(CORES))
+    parallel_rad = counted_rad(parallel, settings)
     converged_rad = counted_rad(mujoco_trials(arguments, settings, name, desired_rad, CONVERGED_SUBSTEPS), settings)
     return Row(
         object=name,
@@ -123,25 +137,42 @@ def measure_accuracy(arguments, ours, settings, name, desired_rad):
         mujoco_converged_rad=converged_rad.mean(),
         ours_failed=own_failed,
         mujoco_failed=timed.failures(),
+        rollout_r=correlation(parallel_rad, reference),
+        rollout_rad=parallel_rad.mean(),
     )
 
 
+def pin(cores):
+    """This thread, and the threads and processes that it starts from now on."""
+    os.sched_setaffinity(0, cores)
+
+
 def measure_speed(arguments, ours, settings, row, desired_rad):
-    """Alternates, so that a change of the machine's speed meets both; medians."""
-    trials = mujoco_trials(arguments, settings, row.object, desired_rad, settings["physics"]["substeps"])
-    trials.run()
-    own, theirs = [], []
+    """All of it in turn, so that a change of the machine's speed meets all; medians. One core first, then all."""
+    substeps = settings["physics"]["substeps"]
+    pin(ONE_CORE)
+    trials = mujoco_trials(arguments, settings, row.object, desired_rad, substeps)
+    pin(CORES)
+    model = mujoco_model(arguments, settings, row.object, substeps)
+    parallel = ParallelTrials(model, desired_rad, substeps, len(CORES))
+    timings = {
+        "ours_steps_per_s": (ONE_CORE, lambda: ours.control_steps_per_s(row.object, arguments.stepper)),
+        "mujoco_steps_per_s": (ONE_CORE, lambda: mujoco_steps_per_s(trials)),
+        "ours_cores_steps_per_s": (CORES, lambda: ours.control_steps_per_s(row.object, arguments.stepper, len(CORES))),
+        "rollout_cores_steps_per_s": (CORES, lambda: mujoco_steps_per_s(parallel)),
+    }
+    for _, time_it in timings.values():
+        time_it()  # warms caches and clocks
+    measured = {name: [] for name in timings}
     for _ in range(arguments.repeats):
-        own.append(ours.control_steps_per_s(row.object, arguments.stepper))
-        theirs.append(mujoco_steps_per_s(trials))
-    row.ours_steps_per_s = statistics.median(own)
-    row.mujoco_steps_per_s = statistics.median(theirs)
+        for name, (cores, time_it) in timings.items():
+            pin(cores)
+            measured[name].append(time_it())
+    for name, values in measured.items():
+        setattr(row, name, statistics.median(values))
+    row.cores = len(CORES)
     row.speed_ratio = row.ours_steps_per_s / row.mujoco_steps_per_s
-
-
-def pin_to_one_core():
-    """This process and those it starts."""
-    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+    row.cores_speed_ratio = row.ours_cores_steps_per_s / row.rollout_cores_steps_per_s
 
 
 def measure(arguments):
@@ -149,10 +180,9 @@ def measure(arguments):
     settings = ours.settings()
     check_mechanics(mjcf(arguments.models, OBJECTS[0], settings, 1), ours.mechanics())
     desired_rad = {name: ours.desired_rad(name) for name in OBJECTS}
-    with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+    with ThreadPoolExecutor(len(CORES)) as pool:
         accuracy = lambda name: measure_accuracy(arguments, ours, settings, name, desired_rad[name])
         rows = list(pool.map(accuracy, OBJECTS))
-    pin_to_one_core()
     for row in rows:
         measure_speed(arguments, ours, settings, row, desired_rad[row.object])
     return settings, rows
@@ -171,13 +201,17 @@ def header(arguments, settings):
     setup = Path(arguments.setup).name.removesuffix(".toml")
     return [
         f"set-up {setup}, {arguments.sets} random CPG-C parameter vectors (seed {arguments.seed}), "
-        f"{STEPS} control steps each, {substeps} substeps; one core, medians of {arguments.repeats} alternating "
-        "repeats",
+        f"{STEPS} control steps each, {substeps} substeps; medians of {arguments.repeats} alternating repeats",
         f"ours: stepper {arguments.stepper}; r is the correlation of the trials' rotations with the reference stepper "
         f"at {CONVERGED_SUBSTEPS} substeps",
-        f"MuJoCo {mujoco.__version__}: {options}; stepped by mujoco.batch on one thread",
+        f"MuJoCo {mujoco.__version__}: {options}; stepped by mujoco.batch on one thread, and "
+        f"by mujoco.rollout on {len(CORES)}, beside as many workers of ours",
         f"the hand's mechanics agree with Bullet's in {STATES} random states (tips 1e-6 m, the rest 1e-6 relative)",
     ]
+
+
+def speed_cells(ours_steps_per_s, theirs_steps_per_s, ratio):
+    return [f"{ours_steps_per_s / 1e3:.1f}", f"{theirs_steps_per_s / 1e3:.1f}", f"{ratio:.1f}"]
 
 
 def print_table(settings, rows):
@@ -196,14 +230,21 @@ def print_table(settings, rows):
         f"MuJoCo@{CONVERGED_SUBSTEPS}",
         "failed trials, ours",
         "MuJoCo",
+        f"{len(CORES)} cores: ours, k steps/s",
+        "mujoco.rollout, k steps/s",
+        "ratio",
+        "r mujoco.rollout",
+        "mean rotation, rad",
     ]
     lines = [titles, ["---"] * len(titles)]
     for row in rows:
-        speeds = [f"{row.ours_steps_per_s / 1e3:.1f}", f"{row.mujoco_steps_per_s / 1e3:.1f}", f"{row.speed_ratio:.1f}"]
+        speeds = speed_cells(row.ours_steps_per_s, row.mujoco_steps_per_s, row.speed_ratio)
         likeness = [f"{r:.4f}" for r in (row.ours_r, row.mujoco_r, row.mujoco_converged_r)]
         means_rad = (row.reference_rad, row.ours_rad, row.mujoco_rad, row.mujoco_converged_rad)
         failed = [str(row.ours_failed), failures_text(row.mujoco_failed)]
-        lines.append([row.object, *speeds, *likeness, *(f"{mean:.3f}" for mean in means_rad), *failed])
+        parallel = speed_cells(row.ours_cores_steps_per_s, row.rollout_cores_steps_per_s, row.cores_speed_ratio)
+        parallel += [f"{row.rollout_r:.4f}", f"{row.rollout_rad:.3f}"]
+        lines.append([row.object, *speeds, *likeness, *(f"{mean:.3f}" for mean in means_rad), *failed, *parallel])
     for line in lines:
         print("| " + " | ".join(line) + " |")
 
@@ -223,7 +264,7 @@ def parse_arguments():
     parser.add_argument("--program", required=True, help="bench_rollouts")
     parser.add_argument("--models", required=True, help="the folder models/")
     parser.add_argument("--out", required=True, help="the CSV to write")
-    parser.add_argument("--setup", default=str(MID_A), help="a name or a .toml file; mid-a if not given")
+    parser.add_argument("--setup", default=SETUP, help=f"a name or a .toml file; {SETUP} if not given")
     parser.add_argument("--stepper", default="fast", help="ours, against MuJoCo")
     parser.add_argument("--sets", type=int, default=200, help="parameter vectors")
     parser.add_argument("--seed", type=int, default=1)

@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <iostream>
@@ -23,11 +22,13 @@ using namespace twiddle::experiment;
 
 struct Options {
     std::string object;
-    std::string setup = bench::mid_a_file;
+    std::string setup = bench::speed_setup;
     std::string stepper = "fast";
     int substeps = 0; // 0: the set-up's
     int sets = 200;
     std::uint32_t seed = 1;
+    unsigned workers = 1;
+    double seconds = 1;
 };
 
 settings::Setup load_setup(const Options &options)
@@ -87,17 +88,17 @@ void print_rotations(const Options &options)
     }
 }
 
-// Control steps per second of the full loop: controller, torques at every substep, and the world.
+// Control steps per second of the full loop (controller, torques at every substep, and the world) of all workers, which
+// are threads with a controller and a world each.
 void print_speed(const Options &options)
 {
-    TrialRunner runner = make_runner(options);
     const auto sets = bench::random_parameters("cpg-c", options.sets, options.seed);
-    runner.run(sets.front()); // warm caches and clocks
-    const auto start = std::chrono::steady_clock::now();
-    for (const engine::Parameters &set : sets)
-        runner.run(set);
-    const std::chrono::duration<double> spent_s = std::chrono::steady_clock::now() - start;
-    std::printf("control_steps_per_s\n%.6g\n", double(sets.size()) * trial_steps / spent_s.count());
+    std::vector<TrialRunner> runners;
+    while (runners.size() < options.workers) {
+        runners.push_back(make_runner(options));
+        runners.back().run(sets.front()); // warm caches and clocks
+    }
+    std::printf("control_steps_per_s\n%.6g\n", bench::workers_steps_per_s(runners, sets, options.seconds));
 }
 
 // Bullet's articulated-body algorithm on the welded hand without contacts, at postures and velocities that are set.
@@ -208,6 +209,12 @@ void add_options(CLI::App &app, Options &options)
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     app.add_option("--seed", options.seed, "of the random numbers")->capture_default_str();
+    app.add_option("--workers", options.workers, "that are timed at once")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    app.add_option("--seconds", options.seconds, "of timing at least, in whole passes through the parameter vectors")
+        ->check(CLI::Range(0.001, 3600.0))
+        ->capture_default_str();
 }
 
 int run(int argc, char **argv)

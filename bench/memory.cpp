@@ -77,7 +77,7 @@ double further_worker_mb(sim::Stepper stepper, const std::string &object)
         runners.reserve(1 + further);
         double before_mb = 0;
         for (int worker = 0; worker <= further; ++worker) {
-            runners.push_back(make_runner(stepper, object, load_setup(mid_a_file)));
+            runners.push_back(make_runner(stepper, object, load_setup(speed_setup)));
             runners.back().run(set);
             if (worker == 0) before_mb = resident_mb();
         }

@@ -35,7 +35,7 @@ std::vector<settings::Override> out_of_reach(int fingers, std::vector<settings::
 
 Press::Press(const std::string &object, int fingers, const std::vector<settings::Override> &overrides,
              std::uint32_t seed)
-    : runner_(make_runner(sim::Stepper::fast, object, load_setup(mid_a_file, out_of_reach(fingers, overrides))))
+    : runner_(make_runner(sim::Stepper::fast, object, load_setup(speed_setup, out_of_reach(fingers, overrides))))
 {
     constexpr std::size_t wanted = 20, most = 2000;
     std::mt19937 random(seed);

@@ -5,14 +5,16 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <chrono>
 #include <random>
+#include <thread>
 #include <utility>
 
 namespace twiddle::bench
 {
 
 const std::filesystem::path models_dir = TWIDDLE_MODELS;
-const std::string mid_a_file = TWIDDLE_MID_A;
+const std::string speed_setup = "paper-negated";
 
 settings::Setup load_setup(const std::string &name, const std::vector<settings::Override> &overrides)
 {
@@ -42,9 +44,38 @@ experiment::TrialRunner make_runner(sim::Stepper stepper, const std::string &obj
     return {std::move(world), engine::engine_of_number("float"), "cpg-c", true};
 }
 
+double trials_steps_per_s(experiment::TrialRunner &runner, const std::vector<engine::Parameters> &sets, double seconds)
+{
+    const auto start = std::chrono::steady_clock::now();
+    std::chrono::duration<double> spent_s{};
+    std::size_t trials = 0;
+    while (spent_s.count() < seconds) {
+        for (const engine::Parameters &set : sets)
+            runner.run(set);
+        trials += sets.size();
+        spent_s = std::chrono::steady_clock::now() - start;
+    }
+    return static_cast<double>(trials) * trial_steps / spent_s.count();
+}
+
+double workers_steps_per_s(std::vector<experiment::TrialRunner> &runners, const std::vector<engine::Parameters> &sets,
+                           double seconds)
+{
+    std::vector<double> each(runners.size());
+    std::vector<std::thread> threads;
+    for (std::size_t w = 0; w < runners.size(); ++w)
+        threads.emplace_back([&, w] { each[w] = trials_steps_per_s(runners[w], sets, seconds); });
+    for (std::thread &thread : threads)
+        thread.join();
+    double sum = 0;
+    for (const double steps_per_s : each)
+        sum += steps_per_s;
+    return sum;
+}
+
 record::RunSpecification training_run(sim::Stepper stepper, const std::string &object, std::uint32_t trials)
 {
-    const settings::Setup setup = load_setup(mid_a_file);
+    const settings::Setup setup = load_setup(speed_setup);
     record::RunSpecification specification;
     specification.object = object;
     specification.model = "cpg-h";

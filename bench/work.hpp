@@ -1,5 +1,5 @@
-// work.hpp: the work that the benchmarks time: trials with random parameters, and training runs. Set-up mid-a, numbers
-// in float.
+// work.hpp: the work that the benchmarks time: trials with random parameters, and training runs, numbers in
+// float.
 #pragma once
 
 #include "experiment/trial.hpp"
@@ -18,8 +18,8 @@ namespace twiddle::bench
 
 extern const std::filesystem::path models_dir;
 
-// The file of the set-up mid-a, a fixture of the tests.
-extern const std::string mid_a_file;
+// The set-up of all speed figures: no new default moves it.
+extern const std::string speed_setup;
 
 // Set-up `name`, or the one in a file. Throws std::runtime_error with one sentence.
 settings::Setup load_setup(const std::string &name, const std::vector<settings::Override> &overrides = {});
@@ -35,6 +35,13 @@ sim::HandModel read_hand();
 
 // Trials of CPG-C in one world.
 experiment::TrialRunner make_runner(sim::Stepper stepper, const std::string &object, const settings::Setup &setup);
+
+// Control steps a second of whole passes through `sets`, for at least `seconds`.
+double trials_steps_per_s(experiment::TrialRunner &runner, const std::vector<engine::Parameters> &sets, double seconds);
+
+// The same with every runner on a thread of its own; the sum of what each reaches.
+double workers_steps_per_s(std::vector<experiment::TrialRunner> &runners, const std::vector<engine::Parameters> &sets,
+                           double seconds);
 
 // A training run of CPG-H, as `twiddle train` does it.
 record::RunSpecification training_run(sim::Stepper stepper, const std::string &object, std::uint32_t trials);

@@ -100,7 +100,7 @@ targets_ask_for_their_own_packages)
     expect_groups run run paper calibrate confirm program
     expect_groups "run test firmware" test
     expect_groups firmware firmware
-    expect_groups "run bench" bench bench-peers performance
+    expect_groups "run bench" bench bench-instructions bench-peers performance
     expect_groups "run test firmware lint" lint
     expect_groups library install
     ;;
