@@ -39,9 +39,9 @@ class CoulombContact
   public:
     CoulombContact() = default;
 
-    // `inverse_mass` is W: positive semi-definite, its normal entry > 0. `friction` is mu >= 0.
-    CoulombContact(const InverseMass &inverse_mass, double friction);
-    CoulombContact(const ContactMatrix &inverse_mass, double friction);
+    // `w` is W: positive semi-definite, its normal entry > 0. `friction` is mu >= 0.
+    CoulombContact(const InverseMass &w, double friction);
+    CoulombContact(const ContactMatrix &w, double friction);
 
     // The impulse that obeys both laws for the velocity `b`; a sliding one meets the cone within 1e-10 of the impulse
     // that would stop `b` without friction. `multiplier` (lambda, 0 where the contact does not slide) is the first
