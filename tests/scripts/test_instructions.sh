@@ -124,16 +124,17 @@ extern "C" double twd_controller_torque(double a) { return a * 3; }
 extern "C" double twd_controller_tick(double a) { return a * 5; }
 extern "C" double unnamed(double a) { return a * 7; }
 END
-    echo 'int main() { return 0; }' >main.cpp
+    printf '%s\n' 'double nobodys(double a) { return a * 9; }' 'int main() { return 0; }' >main.cpp
     "$cxx" -O2 -g -o program -x c++ main.cpp "$work/harness/sim/fast/finger_dynamics.cpp" \
         "$work/controller/src/controller.c"
-    nm -C program | grep -E ' T (push|twd_|unnamed)' >functions
+    nm -C program | grep -E ' T (push|twd_|unnamed|nobodys)' >functions
     sed 's/ .*//; s/^/0x/' functions | "$source/scripts/piece-of-address" program | cut -f 2 >pieces
     sed 's/.* T //; s/(.*//' functions | paste -d : - pieces >printed
     has_line 'push:dynamics'
     has_line 'twd_controller_torque:gravity and PD'
     has_line 'twd_controller_tick:CPGs and gate'
-    has_line 'unnamed:rest'
+    has_line 'unnamed:CPGs and gate'
+    has_line 'nobodys:rest'
     ;;
 both_ends_of_nine_runs_are_counted_by_piece)
     stand_ins 10
