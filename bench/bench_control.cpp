@@ -3,6 +3,7 @@
 #include "work.hpp"
 
 #include "engine/controller_setup.hpp"
+#include "engine/library_numbers.hpp"
 #include "experiment/training.hpp"
 
 #include <twiddle/controller.h>
@@ -11,10 +12,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <iterator>
 #include <vector>
 
 namespace
@@ -22,6 +21,7 @@ namespace
 
 using namespace twiddle;
 using namespace twiddle::experiment;
+using engine::TWD_BUILD_NAMESPACE::library_numbers;
 
 constexpr std::uint32_t seed = 1;
 
@@ -51,13 +51,6 @@ void training_run(benchmark::State &state, sim::Stepper stepper, const char *obj
 engine::AgentSetup agent_setup_of_h()
 {
     return {{bench::load_setup(bench::speed_setup), "cpg-h", true}, 5000, seed};
-}
-
-std::vector<twd_num> library_numbers(const std::vector<double> &values)
-{
-    std::vector<twd_num> numbers;
-    std::transform(values.begin(), values.end(), std::back_inserter(numbers), twd_num_from_double);
-    return numbers;
 }
 
 // A controller of CPG-H, whose three CPGs all run.

@@ -21,8 +21,8 @@ struct twd_four_constants {
     struct twd_four half_cosine[5];
     struct twd_four half;
     struct twd_four one;
-    /* What is larger than the square of an angle of [-pi, pi] or a sum of two usable numbers' squares is left to others,
-     * and so is some of what is just as large. */
+    /* What is larger than the square of an angle of [-pi, pi] or a sum of two usable numbers' squares is left to
+     * others, and so is some of what is just as large. */
     struct twd_four largest_angle_square;
     struct twd_four largest_square_sum;
 };

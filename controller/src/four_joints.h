@@ -1,5 +1,5 @@
-/* four_joints.h: the angles and torques of four joints at once, where that fits the controller and its input. Inline, so
- * that the caller keeps its arguments where they are; not installed. */
+/* four_joints.h: the angles and torques of four joints at once, where that fits the controller and its input. Inline,
+ * so that the caller keeps its arguments where they are; not installed. */
 #ifndef TWIDDLE_FOUR_JOINTS_H
 #define TWIDDLE_FOUR_JOINTS_H
 

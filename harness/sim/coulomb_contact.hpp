@@ -53,8 +53,8 @@ class CoulombContact
         return solve(b, multiplier);
     }
 
-    // The principal axes of A, in which a contact is solved again and again for less. What has tangential parts is turned
-    // there and back.
+    // The principal axes of A, in which a contact is solved again and again for less. What has tangential parts is
+    // turned there and back.
     Pair to_axes(Pair tangential) const
     {
         return tangential * cosine_ + swapped(tangential) * Pair{sine_, -sine_};

@@ -12,8 +12,8 @@
  *                               float builds; the fixed build takes extrapolated rates of at most 15.9 rad/s
  *     twd_sin, twd_cos          sin and cos(2 pi phase / 2^32); error at most 1e-8 (double), 2e-7 (float), 4e-6 (fixed)
  *     twd_sine_cosine           both, for less than the two of them apart; the same error
- *     twd_sine_cosine_of_angle  both of an angle in [-pi, pi], rad; values beyond are clamped; error at most 1e-8 (double),
- *                               3e-7 (float), 4e-6 (fixed) */
+ *     twd_sine_cosine_of_angle  both of an angle in [-pi, pi], rad; values beyond are clamped; error at most
+ *                               1e-8 (double), 3e-7 (float), 4e-6 (fixed) */
 #ifndef TWIDDLE_PHASE_H
 #define TWIDDLE_PHASE_H
 

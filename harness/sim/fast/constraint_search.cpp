@@ -83,26 +83,12 @@ HeldJoints united(const HeldJoints &held, const HeldJoints &passed)
 
 } // namespace
 
-BothFingers in_lanes(const std::array<FingerState, 2> &state)
-{
-    BothFingers both;
-    both.mass.coupling = Pair{state[0].mass.coupling, state[1].mass.coupling};
-    for (int j = 0; j < 2; j++) {
-        both.angle_rad[j] = Pair{state[0].angle_rad[j], state[1].angle_rad[j]};
-        both.mass.root[j] = Pair{state[0].mass.root[j], state[1].mass.root[j]};
-        both.mass.inverse_root[j] = Pair{state[0].mass.inverse_root[j], state[1].mass.inverse_root[j]};
-    }
-    return both;
-}
-
 ConstraintSearch::ConstraintSearch(const ContactSolver &solver, const HingeFriction &hinge,
                                    const std::array<JointStops, 2> &stops, double substep_s)
-    : solver_(solver), hinge_(hinge), stops_(stops), substep_s_(substep_s)
+    : solver_(solver), hinge_(hinge), stops_(stops), substep_s_(substep_s),
+      lower_rad_(in_lanes({stops[0].lower_rad(), stops[1].lower_rad()})),
+      upper_rad_(in_lanes({stops[0].upper_rad(), stops[1].upper_rad()}))
 {
-    for (int j = 0; j < 2; j++) {
-        lower_rad_[j] = Pair{stops[0].lower_rad()[j], stops[1].lower_rad()[j]};
-        upper_rad_[j] = Pair{stops[0].upper_rad()[j], stops[1].upper_rad()[j]};
-    }
 }
 
 Velocities ConstraintSearch::solve(const BothFingers &state, const Velocities &free, Contacts &contacts, Holds &holds)

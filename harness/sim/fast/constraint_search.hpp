@@ -38,13 +38,9 @@ struct BothFingers {
 
     FingerState finger(int f) const
     {
-        return {
-            {angle_rad[0][f], angle_rad[1][f]},
-            {mass.coupling[f], {mass.root[0][f], mass.root[1][f]}, {mass.inverse_root[0][f], mass.inverse_root[1][f]}}};
+        return {{angle_rad[0][f], angle_rad[1][f]}, lane(mass, f)};
     }
 };
-
-BothFingers in_lanes(const std::array<FingerState, 2> &state);
 
 class ConstraintSearch
 {

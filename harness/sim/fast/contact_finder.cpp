@@ -53,7 +53,7 @@ struct ContactFinder::Scene {
     int finger;
     MassFactor mass;
     const Velocities &free;
-    std::array<SineCosine, 2> angle; // of the finger's joints
+    SineCosine first_angle; // of the finger's first joint
     Vector second_origin_m, second_x, second_y, second_z;
     bool turns;           // whether the object looks different when it has turned
     SineCosine turned_by; // how far it has
@@ -112,20 +112,18 @@ void ContactFinder::find(const Motion &motion, const MassFactorOf<Pair> &mass, c
     const SineCosine turned_by = turns ? sine_cosine(motion.object_rad) : SineCosine{};
     for (int f = 0; f < 2; f++) {
         if (!due[f]) continue;
-        const Scene scene{
-            f,
-            {mass.coupling[f], {mass.root[0][f], mass.root[1][f]}, {mass.inverse_root[0][f], mass.inverse_root[1][f]}},
-            free,
-            {SineCosine{motion.angle[0].sine[f], motion.angle[0].cosine[f]},
-             SineCosine{motion.angle[1].sine[f], motion.angle[1].cosine[f]}},
-            lane(second.origin_m, f),
-            lane(second.x, f),
-            lane(second.y, f),
-            lane(second.z, f),
-            turns,
-            turned_by,
-            std::min(may_matter_m[f], breaking_threshold_m_),
-            travelled_m_[f]};
+        const Scene scene{f,
+                          lane(mass, f),
+                          free,
+                          {motion.angle[0].sine[f], motion.angle[0].cosine[f]},
+                          lane(second.origin_m, f),
+                          lane(second.x, f),
+                          lane(second.y, f),
+                          lane(second.z, f),
+                          turns,
+                          turned_by,
+                          std::min(may_matter_m[f], breaking_threshold_m_),
+                          travelled_m_[f]};
         look(scene, finger_[f], limit_m[f], contacts);
     }
 }
@@ -133,57 +131,63 @@ void ContactFinder::find(const Motion &motion, const MassFactorOf<Pair> &mass, c
 void ContactFinder::look(const Scene &scene, Finger &finger, double limit_m, Contacts &contacts) const
 {
     finger.due_m = 1e30;
-    for (std::size_t i = 0; i < finger.capsules.size(); i++) {
-        Capsule &capsule = finger.capsules[i];
-        if (limit_m >= capsule.due_m) {
-            Vector start_m, end_m;
-            if (capsule.joint == 1) {
-                const auto point_m = [&](const Vector &p_m) {
-                    return scene.second_origin_m + scene.second_x * p_m.x + scene.second_y * p_m.y +
-                           scene.second_z * p_m.z;
-                };
-                start_m = point_m(capsule.start_m);
-                end_m = point_m(capsule.end_m);
-            } else {
-                const Frame first = kinematics_[scene.finger].first().turned(scene.angle[0]);
-                start_m = vector_of(first.point(bullet_vector(capsule.start_m)));
-                end_m = vector_of(first.point(bullet_vector(capsule.end_m)));
-            }
-            const SineCosine back = {-scene.turned_by.sine, scene.turned_by.cosine};
-            SegmentContacts places;
-            const double away_m = find_segment_contacts(core_, scene.turns ? turned(back, start_m) : start_m,
-                                                        scene.turns ? turned(back, end_m) : end_m,
-                                                        capsule.radius_m + scene.reach_m, places);
-            capsule.due_m = scene.travelled_m + away_m - capsule.radius_m - rounding_m;
-            for (int k = 0; k < places.count; k++) {
-                const SegmentContact &place = places.contact[k];
-                const Vector p_axis_m = start_m + (end_m - start_m) * place.share;
-                if (contacts.full() || has_contact_at(contacts, scene.finger, p_axis_m)) continue;
-                const int feature = static_cast<int>(i) * contact_features + place.feature;
-                const Vector normal = scene.turns ? turned(scene.turned_by, place.normal) : place.normal;
-                add_contact(scene, capsule.joint, p_axis_m, place, normal, capsule.radius_m, feature, contacts);
-            }
-        }
+    int first_feature = 0;
+    for (Capsule &capsule : finger.capsules) {
+        if (limit_m >= capsule.due_m) look_at(scene, capsule, first_feature, contacts);
         finger.due_m = std::min(finger.due_m, capsule.due_m);
+        first_feature += contact_features;
     }
 }
 
-void ContactFinder::add_contact(const Scene &scene, int joint, const Vector &p_axis_m, const SegmentContact &place,
-                                const Vector &normal, double radius_m, int feature, Contacts &contacts) const
+std::array<Vector, 2> ContactFinder::ends_m(const Scene &scene, const Capsule &capsule) const
+{
+    if (capsule.joint == 0) {
+        const Frame first = kinematics_[scene.finger].first().turned(scene.first_angle);
+        return {vector_of(first.point(bullet_vector(capsule.start_m))),
+                vector_of(first.point(bullet_vector(capsule.end_m)))};
+    }
+    const auto point_m = [&](const Vector &p_m) {
+        return scene.second_origin_m + scene.second_x * p_m.x + scene.second_y * p_m.y + scene.second_z * p_m.z;
+    };
+    return {point_m(capsule.start_m), point_m(capsule.end_m)};
+}
+
+void ContactFinder::look_at(const Scene &scene, Capsule &capsule, int first_feature, Contacts &contacts) const
+{
+    const auto [start_m, end_m] = ends_m(scene, capsule);
+    const SineCosine back = {-scene.turned_by.sine, scene.turned_by.cosine};
+    SegmentContacts places;
+    const double away_m =
+        find_segment_contacts(core_, scene.turns ? turned(back, start_m) : start_m,
+                              scene.turns ? turned(back, end_m) : end_m, capsule.radius_m + scene.reach_m, places);
+    capsule.due_m = scene.travelled_m + away_m - capsule.radius_m - rounding_m;
+    for (int k = 0; k < places.count; k++) {
+        const SegmentContact &place = places.contact[k];
+        const Vector p_axis_m = start_m + (end_m - start_m) * place.share;
+        if (contacts.full() || has_contact_at(contacts, scene.finger, p_axis_m)) continue;
+        const Vector normal = scene.turns ? turned(scene.turned_by, place.normal) : place.normal;
+        add_contact(scene, capsule, p_axis_m, place, normal, first_feature + place.feature, contacts);
+    }
+}
+
+void ContactFinder::add_contact(const Scene &scene, const Capsule &capsule, const Vector &p_axis_m,
+                                const SegmentContact &place, const Vector &normal, int feature,
+                                Contacts &contacts) const
 {
     const Finger &finger = finger_[scene.finger];
-    const Vector p_finger_m = p_axis_m - normal * radius_m;
+    const Vector p_finger_m = p_axis_m - normal * capsule.radius_m;
     const Vector p_object_m = p_axis_m - normal * place.distance_m;
     // Velocities of the finger's point for 1 rad/s of its joints, and of the object's for 1 rad/s of the hinge.
     const Vector by_first = finger.axis.cross(p_finger_m - finger.origin_m);
-    const Vector by_second = joint == 0 ? Vector{0, 0, 0} : scene.second_z.cross(p_finger_m - scene.second_origin_m);
+    const Vector by_second =
+        capsule.joint == 0 ? Vector{0, 0, 0} : scene.second_z.cross(p_finger_m - scene.second_origin_m);
 
     const MassFactor &mass = scene.mass;
     const FingerVector row = mass.whitened({normal.dot(by_first), normal.dot(by_second)});
     const double object_row = (normal.x * p_object_m.y - normal.y * p_object_m.x) * inverse_whitening_;
     const FingerVector &free = scene.free.finger[scene.finger];
     const double normal_m_s = row[0] * free[0] + row[1] * free[1] + object_row * scene.free.object;
-    const double distance_m = place.distance_m - radius_m;
+    const double distance_m = place.distance_m - capsule.radius_m;
     if (distance_m + normal_m_s * substep_s_ > reserve_m) return;
 
     const PairVector across = tangents(normal);

@@ -1,7 +1,7 @@
 // contact_finder.hpp: the contacts of both fingers with the object, as rows for the solver.
 //
-// Most capsules are far from touching in most substeps. The finder knows how far each was when it was looked at last, and
-// how far it can have come since; it looks again when that may matter.
+// Most capsules are far from touching in most substeps. The finder knows how far each was when it was looked at last,
+// and how far it can have come since; it looks again when that may matter.
 #pragma once
 
 #include "constraint_search.hpp"
@@ -36,8 +36,8 @@ class ContactFinder
     // Forget how far the capsules were: what moves next did not come from where it was.
     void reset();
 
-    // Fill `contacts` for fingers of `mass` and object in `motion`, which follows that of the last call. A contact that the
-    // velocities `free` (of the substep without contacts) carry far from touching is left out.
+    // Fill `contacts` for fingers of `mass` and object in `motion`, which follows that of the last call. A contact that
+    // the velocities `free` (of the substep without contacts) carry far from touching is left out.
     void find(const Motion &motion, const MassFactorOf<Pair> &mass, const Velocities &free, Contacts &contacts);
 
     // Whitened velocity of the object for an angular velocity of 1 rad/s: the square root of its inertia.
@@ -62,9 +62,13 @@ class ContactFinder
     // What one finger's contacts have in common.
     struct Scene;
 
+    // Look at the capsules of a finger that are due.
     void look(const Scene &scene, Finger &finger, double limit_m, Contacts &contacts) const;
-    void add_contact(const Scene &scene, int joint, const Vector &p_axis_m, const SegmentContact &place,
-                     const Vector &normal, double radius_m, int feature, Contacts &contacts) const;
+    // Look at one capsule, whose features are numbered from `first_feature`.
+    void look_at(const Scene &scene, Capsule &capsule, int first_feature, Contacts &contacts) const;
+    std::array<Vector, 2> ends_m(const Scene &scene, const Capsule &capsule) const;
+    void add_contact(const Scene &scene, const Capsule &capsule, const Vector &p_axis_m, const SegmentContact &place,
+                     const Vector &normal, int feature, Contacts &contacts) const;
 
     std::array<FingerKinematics, 2> kinematics_;
     PairKinematics pair_kinematics_;
@@ -75,7 +79,8 @@ class ContactFinder
     double breaking_threshold_m_;
     double error_reduction_;
     double substep_s_;
-    // What a rad/s of the joints, in lanes, and of the object moves a point of finger or object in a substep at most, m.
+    // What a rad/s of the joints, in lanes, and of the object moves a point of finger or object in a
+    // substep at most, m.
     FingerVectorOf<Pair> stride_m_;
     double object_stride_m_;
     // How far finger and object have come towards each other since reset() at most, m.

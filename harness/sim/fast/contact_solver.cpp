@@ -76,7 +76,8 @@ void ContactSolver::make(Block &block, const Regime &regime) const
     const auto &t = block.rows.tangential;
     const Freedom &freedom = regime.finger[contact.finger];
     if (!freedom.of_all()) {
-        block.acting.normal = {freedom.p00 * n[0] + freedom.p01 * n[1], freedom.p01 * n[0] + freedom.p11 * n[1], n[2]};
+        const FingerVector moving = freedom.of({n[0], n[1]});
+        block.acting.normal = {moving[0], moving[1], n[2]};
         block.acting.tangential = {freedom.p00 * t[0] + freedom.p01 * t[1], freedom.p01 * t[0] + freedom.p11 * t[1],
                                    t[2]};
     }
@@ -113,7 +114,8 @@ inline void ContactSolver::Block::store() const
 
 void ContactSolver::solve_alone(const Regime &regime, Contact &contact, Velocities &velocities)
 {
-    Block &block = alone_;
+    blocks_.clear();
+    Block &block = blocks_.add();
     block.contact = &contact;
     if (block.normal_velocity(velocities) < 0) {
         make(block, regime);

@@ -74,8 +74,8 @@ class ContactSolver
     void solve(const Regime &regime, Contacts &contacts, Velocities &velocities);
 
   private:
-    // A contact's rows as the solver works with them: of the finger's two velocities and of the object's; the tangential
-    // ones in lanes.
+    // A contact's rows as the solver works with them: of the finger's two velocities and of the object's; the
+    // tangential ones in lanes.
     struct Rows {
         std::array<double, 3> normal{};
         std::array<Pair, 3> tangential{};
@@ -116,9 +116,7 @@ class ContactSolver
     void solve_alone(const Regime &regime, Contact &contact, Velocities &velocities);
 
     double friction_;
-    // Of the present call.
-    Block alone_;
-    ShortList<Block, most_contacts> blocks_;
+    ShortList<Block, most_contacts> blocks_; // of the present call
 };
 
 } // namespace twiddle::sim

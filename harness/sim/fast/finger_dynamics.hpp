@@ -64,6 +64,11 @@ template <class Number> struct MassFactorOf {
 
 using MassFactor = MassFactorOf<double>;
 
+inline MassFactor lane(const MassFactorOf<Pair> &mass, int i)
+{
+    return {mass.coupling[i], {mass.root[0][i], mass.root[1][i]}, {mass.inverse_root[0][i], mass.inverse_root[1][i]}};
+}
+
 // A finger's equations of motion in one state.
 template <class Number> struct FingerEquationsOf {
     MassFactorOf<Number> mass;

@@ -61,8 +61,8 @@ class FingerKinematics
         return carried_[joint];
     }
 
-    // No point of the capsules' centre lines is farther from the axis of joint 0 or 1, however the finger is bent: what a
-    // rad of the joint moves it at most.
+    // No point of the capsules' centre lines is farther from the axis of joint 0 or 1, however the finger is bent: what
+    // a rad of the joint moves it at most.
     double reach_m(int joint) const
     {
         return reach_m_[joint];

@@ -1,7 +1,7 @@
 // lanes.hpp: two numbers side by side, one a finger or one a direction, and vectors of such numbers.
 //
-// Compilers make one instruction for both lanes of a Pair on every x86-64 and arm64. Each lane has the bits that a double
-// alone would have.
+// Compilers make one instruction for both lanes of a Pair on every x86-64 and arm64. Each lane has the bits that a
+// double alone would have.
 #pragma once
 
 #include <LinearMath/btVector3.h>
@@ -16,7 +16,7 @@ namespace twiddle::sim
 using Pair = double __attribute__((vector_size(16)));
 using PairBits = std::uint64_t __attribute__((vector_size(16)));
 
-// The same constant in every lane. Compilers keep it in memory whole; a double that meets a Pair they spread each time.
+// The same constant in every lane.
 template <class Number> constexpr Number in_lanes(double constant);
 template <> constexpr double in_lanes<double>(double constant)
 {

@@ -246,8 +246,8 @@ template <class Line> class Collector
     {
     }
 
-    // Whether the closest point is in reach; sets how far it is from the surface.
-    bool add_closest(const Interval &closest, double &distance_m)
+    // Returns how far the closest point is from the surface. It is a contact if it is in reach.
+    double add_closest(const Interval &closest)
     {
         double share = closest.from;
         Vector gap = line_.gap(line_.start + line_.u * share);
@@ -255,12 +255,9 @@ template <class Line> class Collector
             share = 0.5 * (closest.from + closest.to);
             gap = line_.gap(line_.start + line_.u * share);
         }
-        if (!add_point(share, gap, contact_closest)) {
-            distance_m = square_root(gap.length2()) - line_.core.rounding_m;
-            return false;
-        }
-        distance_m = contacts_.contact[0].distance_m;
-        return true;
+        add_point(share, gap, contact_closest);
+        return contacts_.count > 0 ? contacts_.contact[0].distance_m
+                                   : square_root(gap.length2()) - line_.core.rounding_m;
     }
 
     // A point that is no contact yet.
@@ -284,14 +281,14 @@ template <class Line> class Collector
     }
 
   private:
-    bool add_point(double share, const Vector &gap, int feature)
+    void add_point(double share, const Vector &gap, int feature)
     {
         const double gap_m2 = gap.length2(), limit_m = reach_m_ + line_.core.rounding_m;
-        if (gap_m2 >= limit_m * limit_m) return false;
+        if (gap_m2 >= limit_m * limit_m) return;
         const bool in_core = gap_m2 < in_core_m * in_core_m;
         const double gap_m = std::sqrt(gap_m2);
         SegmentContact *const contact = free_place(gap_m - line_.core.rounding_m);
-        if (!contact) return true;
+        if (!contact) return;
         // Field by field: a copy of the whole would wait for its parts to reach memory.
         contact->share = share;
         contact->distance_m = gap_m - line_.core.rounding_m;
@@ -302,7 +299,6 @@ template <class Line> class Collector
             const double inverse = 1 / gap_m;
             contact->normal = gap * inverse;
         }
-        return true;
     }
 
     // A place for one more contact: a new one, or else that of the farthest after the first, if it is farther.
@@ -326,8 +322,8 @@ template <class Line> class Collector
 template <class Line> double collect(const Line &line, double reach_m, SegmentContacts &contacts)
 {
     Collector<Line> collector(line, reach_m, contacts);
-    double distance_m;
-    if (!collector.add_closest(line.closest(), distance_m)) return distance_m;
+    const double distance_m = collector.add_closest(line.closest());
+    if (contacts.count == 0) return distance_m;
     const Vector &normal = contacts.contact[0].normal;
     collector.add(0, contact_start);
     collector.add(1, contact_end);

@@ -60,8 +60,8 @@ struct SegmentContacts {
 // A segment of no length is a point. A point inside the core has the normal and the distance of the shortest way out
 // (along x from the very axis or centre); of a segment through the core, the middle of the part inside stands first.
 //
-// Returns a distance from the surface, m, that no point of the segment is nearer than: the closest point's own, or less if
-// it is out of reach.
+// Returns a distance from the surface, m, that no point of the segment is nearer than: the closest point's own, or less
+// if it is out of reach.
 double find_segment_contacts(const RoundedCore &core, const Vector &start_m, const Vector &end_m, double reach_m,
                              SegmentContacts &contacts);
 

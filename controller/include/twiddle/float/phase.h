@@ -119,8 +119,8 @@ static inline void twd_sine_cosine(twd_phase phase, twd_num *sine, twd_num *cosi
     *cosine = (quarters + 1U) & 2U ? -unsigned_cosine : unsigned_cosine;
 }
 
-/* Of s = q^2, from s^4 down: 2 sin(q/2) = q + q s P(s), and cos(q/2) = 1 + s Q(s), for q in [-pi, pi]. Remez exchange as
- * above; maximum errors 3.5e-11 and 2.4e-10. */
+/* Of s = q^2, from s^4 down: 2 sin(q/2) = q + q s P(s), and cos(q/2) = 1 + s Q(s), for q in [-pi, pi]. Remez exchange
+ * as above; maximum errors 3.5e-11 and 2.4e-10. */
 #define TWD_TWICE_HALF_SINE_4 TWD_NUM(-2.328778711855352757e-11)
 #define TWD_TWICE_HALF_SINE_3 TWD_NUM(1.0751022989878610528e-8)
 #define TWD_TWICE_HALF_SINE_2 TWD_NUM(-3.1001256311243996619e-6)

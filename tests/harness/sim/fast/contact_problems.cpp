@@ -145,6 +145,18 @@ void ProblemSource::add_contact(ContactProblem &problem, int finger, int joint, 
     problem.contacts.add(contact);
 }
 
+BothFingers in_lanes(const std::array<FingerState, 2> &state)
+{
+    BothFingers both;
+    both.mass.coupling = Pair{state[0].mass.coupling, state[1].mass.coupling};
+    for (int j = 0; j < 2; j++) {
+        both.angle_rad[j] = Pair{state[0].angle_rad[j], state[1].angle_rad[j]};
+        both.mass.root[j] = Pair{state[0].mass.root[j], state[1].mass.root[j]};
+        both.mass.inverse_root[j] = Pair{state[0].mass.inverse_root[j], state[1].mass.inverse_root[j]};
+    }
+    return both;
+}
+
 ContactVector contact_velocity(const Contact &contact, const Velocities &velocities)
 {
     const FingerVector &finger = velocities.finger[contact.finger];

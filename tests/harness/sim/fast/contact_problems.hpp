@@ -71,6 +71,9 @@ class ProblemSource
     std::array<FingerKinematics, 2> kinematics_;
 };
 
+// As the search takes them.
+BothFingers in_lanes(const std::array<FingerState, 2> &state);
+
 // The contact's velocity relative to the least that it asks for, normal first.
 ContactVector contact_velocity(const Contact &contact, const Velocities &velocities);
 

@@ -85,8 +85,8 @@ TEST_P(fast_stepper_kinematics, capsules_stand_where_bullets_links_are)
     EXPECT_LE(largest_m, 1e-12);
 }
 
-// No point that a joint moves is farther from its axis than the reach says, however the finger is bent, and some point comes
-// near it. Expected: the ends of Bullet's links, from the axes of the joints' frames.
+// No point that a joint moves is farther from its axis than the reach says, however the finger is bent, and some point
+// comes near it. Expected: the ends of Bullet's links, from the axes of the joints' frames.
 TEST_P(fast_stepper_kinematics, reaches_hold_whatever_a_joint_moves)
 {
     constexpr unsigned seed = 24;

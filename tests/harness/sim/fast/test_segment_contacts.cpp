@@ -323,8 +323,8 @@ TEST_P(fast_stepper_distances, are_numbers_inside_the_object)
     }
 }
 
-// Of a segment out of reach, too. Expected: no point of it is nearer to the outer dimensions; the closest one is that near if
-// it is in reach.
+// Of a segment out of reach, too. Expected: no point of it is nearer to the outer dimensions; the closest one is that
+// near if it is in reach.
 TEST_P(fast_stepper_distances, return_what_no_point_is_nearer_than)
 {
     constexpr double rounding_m = 1e-12;
